@@ -1,0 +1,66 @@
+//! The command line.
+
+// The letters of the papers: X at rest, x now.
+#![allow(non_snake_case)]
+
+mod demo;
+mod error;
+mod info;
+mod mesh;
+mod place;
+mod preview;
+mod report;
+mod run;
+mod scene;
+mod scene_file;
+mod sim;
+mod tables;
+mod vtu;
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Simulates soft bodies made of tetrahedra.
+///
+/// Without a command: drops a snowman, writes femto-out/, and says what it cost and how
+/// exact it was.
+#[derive(Parser)]
+#[command(version, after_help = "Exit status: 0 done, 2 bad command line, scene or mesh, 3 a step was refused.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Simulate a scene and write final.csv, trace.csv, report.json and preview.svg
+    Run(run::Args),
+    /// Say how large and how good a mesh is, and everything that is wrong with it
+    Info {
+        /// Gmsh .msh (4.1 ASCII), or TetGen .node with its .ele beside it
+        mesh: PathBuf,
+    },
+}
+
+fn main() -> ExitCode {
+    let done = match Cli::parse().command {
+        Some(Command::Run(args)) => run::command(&args),
+        Some(Command::Info { mesh }) => info::command(&mesh),
+        None => demo::command(),
+    };
+    match done {
+        Ok(status) => ExitCode::from(status),
+        Err(error) => {
+            eprintln!("error: {}", error::one_line(&error.to_string()));
+            ExitCode::from(error.exit_status())
+        }
+    }
+}
+
+/// Prints to stdout; nobody reading it any more is no error.
+fn print(text: &str) {
+    let _ = std::io::stdout().lock().write_all(text.as_bytes());
+}

@@ -1,0 +1,334 @@
+//! The only file that runs the library's solver.
+
+use std::time::{Duration, Instant};
+
+use femto::body::{rest_bytes, state_bytes, workspace_bytes};
+use femto::collider::{self, ColliderError};
+use femto::constraint::Pin;
+use femto::element::{Dense, Factored, Layout};
+use femto::energy::StateHash;
+use femto::glam::Vec3;
+use femto::lane::blocks;
+use femto::material::{Material, MaterialError};
+use femto::owned::{OwnedBody, OwnedState};
+use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
+use femto::step::{Scene as StepScene, StepReport};
+use serde::Serialize;
+
+use crate::error::Error;
+use crate::scene::{self, Collider, Scene, Shape};
+
+/// The step by step life of a scene.
+pub struct Sim {
+    bodies: Vec<Body>,
+    gravity: Vec3,
+    settings: Settings,
+    substeps: u32,
+    /// In f64, for the places of moving colliders.
+    substep: f64,
+    colliders: Vec<Collider>,
+    /// Substeps made so far.
+    made: u64,
+}
+
+/// One body in one of the two layouts.
+struct Body {
+    kind: Kind,
+    pins: Vec<Pin>,
+}
+
+enum Kind {
+    Factored(Box<OwnedBody<Factored>>),
+    Dense(Box<OwnedBody<Dense>>),
+}
+
+/// Calls a method of the body, whatever its layout.
+macro_rules! with {
+    ($kind:expr, $body:ident => $call:expr) => {
+        match $kind {
+            Kind::Factored($body) => $call,
+            Kind::Dense($body) => $call,
+        }
+    };
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Energies {
+    pub kinetic: f64,
+    pub elastic: f64,
+    pub potential: f64,
+}
+
+impl Energies {
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.elastic + self.potential
+    }
+}
+
+/// What a state is worth, summed over the bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    pub energy: Energies,
+    pub linear: [f64; 3],
+    pub angular: [f64; 3],
+    pub min_det: f64,
+}
+
+/// What a step says of itself.
+#[derive(Clone, Copy, Debug)]
+pub struct StepInfo {
+    /// ‖b − Av‖/‖b‖ of the last substep, all bodies stacked; 0 where ‖b‖ = 0.
+    pub residual: f64,
+    pub contacts: u32,
+    /// Time in the solver.
+    pub took: Duration,
+}
+
+/// Bytes.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Memory {
+    pub rest: usize,
+    pub state: usize,
+    pub workspace: usize,
+}
+
+impl Sim {
+    pub fn new(scene: &Scene) -> Result<Self, Error> {
+        let wrong = |key: &str, value: String, why: String| Error::Value {
+            file: scene.file.clone(),
+            key: key.into(),
+            value,
+            why,
+        };
+        let settings = settings(scene).map_err(|e| {
+            let key = match e {
+                SettingsError::Theta(_) => "time.theta",
+                _ => "time.dt / budget.substeps",
+            };
+            wrong(key, format!("{:?}", scene.substep), e.to_string())
+        })?;
+        let mut bodies = Vec::new();
+        for (i, body) in scene.bodies.iter().enumerate() {
+            let kind = match scene.layout {
+                scene::Layout::Factored => build(body, settings.start).map(Kind::Factored),
+                scene::Layout::Dense => build(body, settings.start).map(Kind::Dense),
+            };
+            let kind = kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
+            let pin = |&(node, v): &(u32, [f32; 3])| Pin {
+                node,
+                velocity: Vec3::from_array(v),
+            };
+            bodies.push(Body {
+                kind,
+                pins: body.pins.iter().map(pin).collect(),
+            });
+        }
+        for (i, collider) in scene.colliders.iter().enumerate() {
+            collider_at(collider, 0.0)
+                .map_err(|e| wrong(&format!("collider[{i}]"), format!("{:?}", collider.shape), e.to_string()))?;
+        }
+        Ok(Sim {
+            bodies,
+            gravity: Vec3::from_array(scene.gravity),
+            settings,
+            substeps: scene.budget.substeps,
+            substep: scene.substep,
+            colliders: scene.colliders.clone(),
+            made: 0,
+        })
+    }
+
+    /// Makes one step of dt. When it is refused, all bodies are as they were before it, and
+    /// the text says why.
+    pub fn step(&mut self) -> Result<StepInfo, String> {
+        // One substep of one body is undone by the library itself.
+        let undo = self.substeps > 1 || self.bodies.len() > 1;
+        let before: Vec<OwnedState> = match undo {
+            true => self.bodies.iter().map(|b| with!(&b.kind, body => body.state().clone())).collect(),
+            false => Vec::new(),
+        };
+        let made = self.made;
+        let result = self.substeps();
+        if result.is_err() {
+            self.made = made;
+            for (body, state) in self.bodies.iter_mut().zip(before) {
+                with!(&mut body.kind, body => *body.state_mut() = state);
+            }
+        }
+        result
+    }
+
+    fn substeps(&mut self) -> Result<StepInfo, String> {
+        let mut info = StepInfo {
+            residual: 0.0,
+            contacts: 0,
+            took: Duration::ZERO,
+        };
+        for substep in 0..self.substeps {
+            let time = self.made as f64 * self.substep;
+            let colliders: Result<Vec<_>, _> = self.colliders.iter().map(|c| collider_at(c, time)).collect();
+            let colliders = colliders.map_err(|e| format!("a collider has moved too far: {e}"))?;
+            let (mut residual, mut rhs) = (0.0, 0.0);
+            info.contacts = 0;
+            for (i, body) in self.bodies.iter_mut().enumerate() {
+                let scene = StepScene {
+                    gravity: self.gravity,
+                    forces: &[],
+                    pins: &body.pins,
+                    colliders: &colliders,
+                };
+                let begin = Instant::now();
+                let report: StepReport = with!(&mut body.kind, body => body.step(&scene, &self.settings));
+                info.took += begin.elapsed();
+                if let Some(refusal) = report.refusal {
+                    return Err(match (self.bodies.len(), self.substeps) {
+                        (1, 1) => refusal.to_string(),
+                        _ => format!("body {i}, substep {}: {refusal}", substep + 1),
+                    });
+                }
+                residual += f64::from(report.residual_after) * f64::from(report.residual_after);
+                rhs += f64::from(report.rhs) * f64::from(report.rhs);
+                info.contacts += report.contacts;
+            }
+            info.residual = if rhs > 0.0 { (residual / rhs).sqrt() } else { 0.0 };
+            self.made += 1;
+        }
+        Ok(info)
+    }
+
+    pub fn measure(&self) -> Measure {
+        let mut sum = Measure {
+            energy: Energies::default(),
+            linear: [0.0; 3],
+            angular: [0.0; 3],
+            min_det: f64::INFINITY,
+        };
+        for body in &self.bodies {
+            let (energy, momenta, min_det) =
+                with!(&body.kind, body => (body.energies(self.gravity), body.momenta(), body.min_det()));
+            sum.energy.kinetic += energy.kinetic;
+            sum.energy.elastic += energy.elastic;
+            sum.energy.potential += energy.potential;
+            for axis in 0..3 {
+                sum.linear[axis] += momenta.linear[axis];
+                sum.angular[axis] += momenta.angular[axis];
+            }
+            sum.min_det = sum.min_det.min(min_det);
+        }
+        sum
+    }
+
+    pub fn bodies(&self) -> usize {
+        self.bodies.len()
+    }
+
+    pub fn positions(&self, body: usize) -> &[[f32; 3]] {
+        with!(&self.bodies[body].kind, body => body.positions())
+    }
+
+    pub fn velocities(&self, body: usize) -> &[[f32; 3]] {
+        with!(&self.bodies[body].kind, body => body.velocities())
+    }
+
+    /// FNV-1a over the bits of all x, then all v, body by body.
+    pub fn hash(&self) -> u64 {
+        let bodies = 0..self.bodies.len();
+        bodies.fold(StateHash::new(), |hash, b| hash.with(self.positions(b), self.velocities(b))).value()
+    }
+
+    /// Rest and state of all bodies; the workspace serves one body at a time, so that of the
+    /// largest is enough.
+    pub fn memory(&self) -> Memory {
+        let mut sum = Memory::default();
+        for body in &self.bodies {
+            let start = self.settings.start;
+            let one = with!(&body.kind, body => memory_of(body, start));
+            sum.rest += one.rest;
+            sum.state += one.state;
+            sum.workspace = sum.workspace.max(one.workspace);
+        }
+        sum
+    }
+}
+
+fn settings(scene: &Scene) -> Result<Settings, SettingsError> {
+    let start = match scene.start {
+        scene::Start::Zero => Start::Zero,
+        scene::Start::Velocity => Start::Velocity,
+        scene::Start::VelocityForce => Start::VelocityForce,
+        scene::Start::Galerkin(m) => Start::Galerkin(m),
+        scene::Start::Rigid(m) => Start::Rigid(m),
+    };
+    let preconditioner = match scene.preconditioner {
+        scene::Preconditioner::Identity => Preconditioner::Identity,
+        scene::Preconditioner::Mass => Preconditioner::Mass,
+        scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
+        scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
+    };
+    let budget = Budget {
+        iterations: scene.budget.iterations,
+        polar_sweeps: scene.budget.polar_sweeps,
+    };
+    let settings = Settings::new(scene.substep as f32)?.with_theta(scene.theta)?;
+    Ok(settings.with_budget(budget).with_start(start).with_preconditioner(preconditioner))
+}
+
+/// The key of the body that is wrong, its value, and why.
+type Wrong = (&'static str, String, String);
+
+fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>>, Wrong> {
+    let material = Material::new(body.young, body.poisson, body.density)
+        .and_then(|m| m.with_damping(body.alpha, body.beta))
+        .map_err(|e| {
+            let (key, value) = match e {
+                MaterialError::Young(x) => ("young", x),
+                MaterialError::Poisson(x) => ("poisson", x),
+                MaterialError::Alpha(x) => ("alpha", x),
+                MaterialError::Beta(x) => ("beta", x),
+                MaterialError::Density(x) => ("density", x),
+                _ => ("young", body.young),
+            };
+            (key, format!("{value:?}"), e.to_string())
+        })?;
+    let mesh = |e: &dyn std::fmt::Display| ("mesh", body.source.clone(), e.to_string());
+    let checked = femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
+    let mut built = OwnedBody::<L>::new(&checked, &material, start).map_err(|e| mesh(&e))?;
+    built.place(&body.x, &body.v).map_err(|e| mesh(&e))?;
+    Ok(Box::new(built))
+}
+
+/// Where a collider is at a time; `substep` of a moving one goes on from there.
+fn collider_at(collider: &Collider, time: f64) -> Result<collider::Collider, ColliderError> {
+    let built = match collider.shape_at(time) {
+        Shape::Plane { normal, offset } => {
+            let normal = Vec3::from_array(normal.to_array().map(|x| x as f32));
+            collider::Collider::half_space(normal, offset as f32)
+        }
+        Shape::Sphere { centre, radius } => {
+            let centre = Vec3::from_array(centre.to_array().map(|x| x as f32));
+            collider::Collider::sphere(centre, radius as f32)
+        }
+    }?;
+    let velocity = Vec3::from_array(collider.velocity.to_array().map(|x| x as f32));
+    built.with_friction(collider.friction)?.with_velocity(velocity)
+}
+
+fn memory_of<L: Layout>(body: &OwnedBody<L>, start: Start) -> Memory {
+    let rest = body.rest();
+    needed::<L>(rest.nodes.len(), rest.header.tets as usize, start)
+}
+
+fn needed<L: Layout>(nodes: usize, tets: usize, start: Start) -> Memory {
+    let blocks = blocks(tets);
+    Memory {
+        rest: rest_bytes::<L>(nodes, blocks),
+        state: state_bytes(nodes, blocks, start.history()),
+        workspace: workspace_bytes::<L>(nodes, blocks, start.vectors()),
+    }
+}
+
+/// What a body of this size takes with the default start, factored and dense.
+pub fn memory_of_mesh(nodes: usize, tets: usize) -> [Memory; 2] {
+    let start = Start::default();
+    [needed::<Factored>(nodes, tets, start), needed::<Dense>(nodes, tets, start)]
+}

@@ -1,0 +1,129 @@
+//! VTK unstructured grids (`.vtu`, XML with ASCII data) and the `.pvd` that lists them with
+//! their times, for ParaView.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
+
+use crate::sim::Sim;
+
+/// VTK's number for a 4-node tet.
+const TETRA: u8 = 10;
+
+type Xml = Writer<BufWriter<File>>;
+
+/// All bodies in one grid: positions, velocities, and the body of each tet.
+pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<()> {
+    let bodies = 0..sim.bodies();
+    let points: usize = bodies.clone().map(|b| sim.positions(b).len()).sum();
+    let cells: usize = tets.iter().map(|t| t.len()).sum();
+    let mut xml = begin(path, "UnstructuredGrid")?;
+    open(&mut xml, "UnstructuredGrid", &[])?;
+    let counts = [("NumberOfPoints", points.to_string()), ("NumberOfCells", cells.to_string())];
+    open(&mut xml, "Piece", &counts)?;
+
+    open(&mut xml, "PointData", &[("Vectors", "velocity".into())])?;
+    let velocities = bodies.clone().flat_map(|b| sim.velocities(b));
+    array(&mut xml, "Float32", "velocity", 3, velocities.map(triple))?;
+    close(&mut xml, "PointData")?;
+
+    open(&mut xml, "CellData", &[("Scalars", "body".into())])?;
+    let body_of = tets.iter().enumerate().flat_map(|(b, t)| t.iter().map(move |_| b));
+    array(&mut xml, "Int32", "body", 1, body_of)?;
+    close(&mut xml, "CellData")?;
+
+    open(&mut xml, "Points", &[])?;
+    let positions = bodies.flat_map(|b| sim.positions(b));
+    array(&mut xml, "Float32", "position", 3, positions.map(triple))?;
+    close(&mut xml, "Points")?;
+
+    open(&mut xml, "Cells", &[])?;
+    let mut first = 0;
+    let mut corners = Vec::with_capacity(cells);
+    for (body, tets) in tets.iter().enumerate() {
+        corners.extend(tets.iter().map(|t| {
+            let [a, b, c, d] = t.map(|node| node as usize + first);
+            format!("{a} {b} {c} {d}")
+        }));
+        first += sim.positions(body).len();
+    }
+    array(&mut xml, "Int64", "connectivity", 1, corners)?;
+    array(&mut xml, "Int64", "offsets", 1, (1..=cells).map(|n| 4 * n))?;
+    array(&mut xml, "UInt8", "types", 1, (0..cells).map(|_| TETRA))?;
+    close(&mut xml, "Cells")?;
+
+    close(&mut xml, "Piece")?;
+    close(&mut xml, "UnstructuredGrid")?;
+    end(xml)
+}
+
+/// The files of a run with their times.
+pub fn write_collection(path: &Path, frames: &[(f64, String)]) -> io::Result<()> {
+    let mut xml = begin(path, "Collection")?;
+    open(&mut xml, "Collection", &[])?;
+    for (time, file) in frames {
+        let entry = BytesStart::new("DataSet").with_attributes([
+            ("timestep", time.to_string().as_str()),
+            ("part", "0"),
+            ("file", file),
+        ]);
+        xml.write_event(Event::Empty(entry))?;
+    }
+    close(&mut xml, "Collection")?;
+    end(xml)
+}
+
+fn begin(path: &Path, kind: &str) -> io::Result<Xml> {
+    let mut xml = Writer::new_with_indent(BufWriter::new(File::create(path)?), b' ', 1);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", None, None)))?;
+    let attributes = [("type", kind), ("version", "1.0"), ("byte_order", "LittleEndian")];
+    let attributes = attributes.map(|(key, value)| (key, value.to_string()));
+    open(&mut xml, "VTKFile", &attributes)?;
+    Ok(xml)
+}
+
+fn end(mut xml: Xml) -> io::Result<()> {
+    close(&mut xml, "VTKFile")?;
+    let mut file = xml.into_inner();
+    file.write_all(b"\n")?;
+    file.flush()
+}
+
+fn open(xml: &mut Xml, name: &str, attributes: &[(&str, String)]) -> io::Result<()> {
+    let attributes = attributes.iter().map(|(key, value)| (*key, value.as_str()));
+    xml.write_event(Event::Start(BytesStart::new(name).with_attributes(attributes)))
+}
+
+fn close(xml: &mut Xml, name: &str) -> io::Result<()> {
+    xml.write_event(Event::End(BytesEnd::new(name)))
+}
+
+fn array<T: ToString>(
+    xml: &mut Xml,
+    kind: &str,
+    name: &str,
+    components: usize,
+    values: impl IntoIterator<Item = T>,
+) -> io::Result<()> {
+    let attributes = [
+        ("type", kind.to_string()),
+        ("Name", name.to_string()),
+        ("NumberOfComponents", components.to_string()),
+        ("format", "ascii".to_string()),
+    ];
+    open(xml, "DataArray", &attributes)?;
+    let mut text = String::from("\n");
+    for value in values {
+        text += &value.to_string();
+        text.push('\n');
+    }
+    xml.write_event(Event::Text(BytesText::from_escaped(text)))?;
+    close(xml, "DataArray")
+}
+
+fn triple([x, y, z]: &[f32; 3]) -> String {
+    format!("{x:?} {y:?} {z:?}")
+}

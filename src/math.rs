@@ -1,0 +1,105 @@
+//! The only door to scalar maths.
+//!
+//! A step uses `+ − × ÷`, comparisons and [`sqrt`], all of which IEEE 754 rounds correctly, so
+//! that every target gives the same bits. Not allowed in a step, each for a measured reason:
+//! `mul_add` (130 instructions of soft double on a Cortex-M4F, other bits than `a * b + c`),
+//! `f32::max`/`min` (the sign of a zero differs between debug and release builds), and anything
+//! transcendental.
+//!
+//! A choice that depends on the state goes through [`select`], which always costs the same:
+//! a branch would make the number of instructions depend on the data.
+
+/// Square root, correctly rounded. NaN for negative input.
+#[inline]
+#[must_use]
+pub fn sqrt(x: f32) -> f32 {
+    libm::sqrtf(x)
+}
+
+/// `yes` if `condition`, else `no`, by bit masks: no branch, so the cost never depends on the data.
+#[inline]
+#[must_use]
+pub fn select(condition: bool, yes: f32, no: f32) -> f32 {
+    let mask = u32::from(condition).wrapping_neg();
+    f32::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+}
+
+/// [`select`] for three components.
+#[inline]
+#[must_use]
+pub fn select3(condition: bool, yes: [f32; 3], no: [f32; 3]) -> [f32; 3] {
+    [
+        select(condition, yes[0], no[0]),
+        select(condition, yes[1], no[1]),
+        select(condition, yes[2], no[2]),
+    ]
+}
+
+/// `numerator / denominator` where `denominator > floor` and the quotient is finite, else 0.
+///
+/// The one guard of the solver's scalars (CG's α and β, Galerkin coefficients): a breakdown
+/// becomes a zero update at the same cost. NaN in either argument gives 0.
+#[inline]
+#[must_use]
+pub fn ratio_or_zero(numerator: f32, denominator: f32, floor: f32) -> f32 {
+    let usable = denominator > floor;
+    let quotient = numerator / select(usable, denominator, 1.0);
+    select(usable & quotient.is_finite(), quotient, 0.0)
+}
+
+/// The largest power of two not above `x`, for finite `x ≥ f32::MIN_POSITIVE`; 1 otherwise.
+///
+/// Scaling by powers of two is exact, so that units change no digit of a result.
+#[inline]
+#[must_use]
+pub fn power_of_two_below(x: f32) -> f32 {
+    if x >= f32::MIN_POSITIVE && x.is_finite() {
+        f32::from_bits(x.to_bits() & 0x7f80_0000)
+    } else {
+        1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sqrt_is_correctly_rounded() {
+        // f64 has more than 2·24 + 2 bits, so rounding its root once more is exact (Figueroa 1995).
+        let mut bits = 1_u32;
+        while bits < 0x7f80_0000 {
+            let x = f32::from_bits(bits);
+            assert_eq!(sqrt(x), f64::from(x).sqrt() as f32, "{x:e}");
+            bits += 40_503;
+        }
+        assert!(sqrt(-1.0).is_nan());
+        assert_eq!(sqrt(-0.0).to_bits(), (-0.0_f32).to_bits());
+    }
+
+    #[test]
+    fn select_moves_bits_untouched() {
+        for (a, b) in [(-0.0, 0.0), (f32::INFINITY, 1.0), (1e-45, -1e-45)] {
+            assert_eq!(select(true, a, b).to_bits(), a.to_bits());
+            assert_eq!(select(false, a, b).to_bits(), b.to_bits());
+        }
+        assert_eq!(select(true, 1.0, f32::NAN), 1.0);
+    }
+
+    #[test]
+    fn ratios_break_down_to_zero() {
+        assert_eq!(ratio_or_zero(6.0, 2.0, 0.0), 3.0);
+        for (a, b) in [(1.0, 0.0), (1.0, -2.0), (f32::NAN, 1.0), (1.0, f32::NAN), (f32::MAX, 1e-30)] {
+            assert_eq!(ratio_or_zero(a, b, 0.0), 0.0, "{a} / {b}");
+        }
+    }
+
+    #[test]
+    fn powers_of_two() {
+        assert_eq!(power_of_two_below(1.0), 1.0);
+        assert_eq!(power_of_two_below(3.9), 2.0);
+        assert_eq!(power_of_two_below(0.3), 0.25);
+        assert_eq!(power_of_two_below(0.0), 1.0);
+        assert_eq!(power_of_two_below(f32::NAN), 1.0);
+    }
+}

@@ -1,0 +1,151 @@
+//! The system matrix, never assembled: gather, element product, scatter-add.
+//!
+//! A = c_M M + c_K K in the body's units, with c_M and c_K from the time step
+//! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ).
+
+use crate::element::{Bite, Layout, Sym3, deformation, edges, gradients};
+use crate::lane::{BLOCK, Lanes};
+use crate::polar::{self, Quaternion};
+use crate::rest::Rest;
+
+/// Rotations of eight tetrahedra as quaternions, `[component][lane]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(32))]
+pub struct RotationBlock(pub [[f32; BLOCK]; 4]);
+
+impl RotationBlock {
+    /// Before a body is placed. All bits zero.
+    pub const ZERO: Self = Self([[0.0; BLOCK]; 4]);
+
+    #[inline]
+    fn load<R: Lanes>(&self, at: usize) -> Quaternion<R> {
+        core::array::from_fn(|c| R::load(&self.0[c], at))
+    }
+
+    #[inline]
+    fn store<R: Lanes>(&mut self, q: Quaternion<R>, at: usize) {
+        for (component, out) in q.iter().zip(&mut self.0) {
+            component.store(out, at);
+        }
+    }
+}
+
+/// c_M M + c_K K, applied matrix-free.
+#[derive(Debug)]
+pub struct Operator<'a, L: Layout> {
+    /// Rest data of the body.
+    pub rest: Rest<'a, L>,
+    /// The rotated stiffness of this step, one a block of tetrahedra.
+    pub rotated: &'a [L::Rotated],
+    /// c_M, per mass unit.
+    pub mass: f32,
+    /// c_K, per mass unit and squared length unit.
+    pub stiffness: f32,
+}
+
+impl<L: Layout> Clone for Operator<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: Layout> Copy for Operator<'_, L> {}
+
+impl<L: Layout> Operator<'_, L> {
+    /// `out` = A u
+    pub fn apply<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
+        for ((out, u), m) in out.iter_mut().zip(u).zip(self.rest.masses) {
+            let m = self.mass * m;
+            *out = [m * u[0], m * u[1], m * u[2]];
+        }
+        let scale = R::splat(self.stiffness);
+        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
+            let mut at = 0;
+            while at < BLOCK {
+                let u = R::gather(u, &tet.corners, at);
+                let f = L::product(tet, rotated, at, scale, &u);
+                R::scatter_add(&f, out, &tet.corners, at);
+                at += R::WIDTH;
+            }
+        }
+    }
+
+    /// Adds the 3×3 diagonal blocks of c_K K to `out`, and c_M M.
+    pub fn diagonal<R: Lanes>(&self, out: &mut [Sym3<f32>]) {
+        for (out, m) in out.iter_mut().zip(self.rest.masses) {
+            let m = self.mass * m;
+            *out = [m, 0.0, 0.0, m, 0.0, m];
+        }
+        let scale = R::splat(self.stiffness);
+        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
+            let mut at = 0;
+            while at < BLOCK {
+                let blocks = L::diagonal(tet, rotated, at, scale);
+                R::scatter_add(&blocks, out, &tet.corners, at);
+                at += R::WIDTH;
+            }
+        }
+    }
+}
+
+/// Rotates the stiffness of every tetrahedron and adds `scale` times the elastic forces at `x`
+/// (metres; forces in newtons) to `out`.
+pub fn rotate<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    x: &[[f32; 3]],
+    rotations: &[RotationBlock],
+    scale: f32,
+    rotated: &mut [L::Rotated],
+    out: &mut [[f32; 3]],
+) {
+    let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
+    let blocks = rest.blocks.iter().zip(rest.stiffness).zip(rotations).zip(rotated);
+    for (((tet, stiffness), rotation), rotated) in blocks {
+        let mut at = 0;
+        while at < BLOCK {
+            let bite = Bite {
+                tet,
+                stiffness,
+                at,
+                edges: edges(&R::gather(x, &tet.corners, at)),
+                // Dead code where the layout does not ask for them.
+                rest_edges: edges(&R::gather(rest.nodes, &tet.corners, at)),
+            };
+            let q = polar::matrix(&rotation.load::<R>(at));
+            let f = L::rotate(&bite, &q, unit, rotated);
+            R::scatter_add(&f.map(|f| f.map(|f| f * scale)), out, &tet.corners, at);
+            at += R::WIDTH;
+        }
+    }
+}
+
+/// How [`fit_rotations`] finds the rotations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// So many Jacobi sweeps from the rotations that are there.
+    Warm(u32),
+    /// From nothing, to convergence: after positions were set.
+    Cold,
+}
+
+/// Fits the rotation of every tetrahedron to the positions `x`.
+pub fn fit_rotations<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    x: &[[f32; 3]],
+    fit: Fit,
+    rotations: &mut [RotationBlock],
+) {
+    for (tet, rotation) in rest.blocks.iter().zip(rotations) {
+        let mut at = 0;
+        while at < BLOCK {
+            let x = R::gather(x, &tet.corners, at);
+            let f = deformation(&edges(&x), &gradients::<R>(tet, at));
+            let q = match fit {
+                Fit::Warm(sweeps) => polar::sweeps(&rotation.load::<R>(at), &f, sweeps),
+                Fit::Cold => polar::nearest_rotation(&f),
+            };
+            rotation.store(q, at);
+            at += R::WIDTH;
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! Rest data: what a body is before it moves. It never changes, may live in flash, and may be
+//! shared by any number of bodies.
+
+use crate::element::{Factored, Layout};
+use crate::lane::{BLOCK, blocks};
+use crate::material::Material;
+use crate::math::power_of_two_below;
+use crate::mesh::{Mesh, MeshError, shape};
+
+/// Eight tetrahedra at rest, component by component. The last block of a mesh is padded with
+/// tetrahedra that have no stiffness and sit at node 0.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+pub struct TetBlock {
+    /// Corner node numbers, `[corner][lane]`.
+    pub corners: [[u32; BLOCK]; 4],
+    /// Shape gradients g₁, g₂, g₃ in 1/m, `[corner − 1][axis][lane]`; g₀ = −g₁ − g₂ − g₃.
+    pub gradients: [[[f32; BLOCK]; 3]; 3],
+    /// λV, in N·m.
+    pub lambda_v: [f32; BLOCK],
+    /// μV, in N·m.
+    pub mu_v: [f32; BLOCK],
+}
+
+impl TetBlock {
+    /// Eight padding tetrahedra.
+    pub const ZERO: Self =
+        Self { corners: [[0; BLOCK]; 4], gradients: [[[0.0; BLOCK]; 3]; 3], lambda_v: [0.0; BLOCK], mu_v: [0.0; BLOCK] };
+}
+
+/// The few numbers of a body that are not per node or per tetrahedron.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Header {
+    /// Tetrahedra, without padding.
+    pub tets: u32,
+    /// Mass-proportional damping α, 1/s.
+    pub alpha: f32,
+    /// Stiffness-proportional damping β, s.
+    pub beta: f32,
+    /// A power of two near the size of an element, metres.
+    pub length_unit: f32,
+    /// A power of two near the mass of a node, kilograms.
+    pub mass_unit: f32,
+    /// Sum of the node masses, kilograms.
+    pub total_mass: f32,
+}
+
+impl Header {
+    pub(crate) const EMPTY: Self =
+        Self { tets: 0, alpha: 0.0, beta: 0.0, length_unit: 0.0, mass_unit: 0.0, total_mass: 0.0 };
+}
+
+/// Rest data, borrowed: from flash, from a [`RestBuffer`], or from `Vec`s.
+#[derive(Debug)]
+pub struct Rest<'a, L: Layout = Factored> {
+    /// Rest positions X, metres.
+    pub nodes: &'a [[f32; 3]],
+    /// Lumped node masses, kilograms.
+    pub masses: &'a [f32],
+    /// Tetrahedra, eight at a time.
+    pub blocks: &'a [TetBlock],
+    /// What the layout stores beside them (nothing, when factored).
+    pub stiffness: &'a [L::Stiffness],
+    /// Counts, damping and units.
+    pub header: Header,
+}
+
+impl<L: Layout> Clone for Rest<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: Layout> Copy for Rest<'_, L> {}
+
+/// Where rest data is written: slices of the right lengths (see [`fill`]).
+#[derive(Debug)]
+pub(crate) struct RestMut<'a, L: Layout> {
+    pub nodes: &'a mut [[f32; 3]],
+    pub masses: &'a mut [f32],
+    pub blocks: &'a mut [TetBlock],
+    pub stiffness: &'a mut [L::Stiffness],
+    pub header: &'a mut Header,
+}
+
+/// Checks that every tetrahedron of this material can be held in f32.
+pub(crate) fn check_scale(mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
+    let (lambda, mu) = material.lame();
+    for (tet, corners) in (0_u32..).zip(mesh.tets()) {
+        let volume = shape(mesh.nodes(), corners).map_or(0.0, |s| s.volume);
+        let mass = volume * f64::from(material.density());
+        let normal = |x: f64| to_f32(x).is_normal();
+        if !(normal(mass / 4.0) && normal(mu * volume) && to_f32(lambda * volume).is_finite()) {
+            return Err(MeshError::OutOfScale { tet });
+        }
+    }
+    Ok(())
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "rest data is computed in f64 and rounded once")]
+pub(crate) fn to_f32(x: f64) -> f32 {
+    x as f32
+}
+
+/// Computes rest data in f64 and rounds each number once. The slices must have as many entries as
+/// the mesh has nodes, and as [`blocks`] says for its tetrahedra.
+pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut RestMut<'_, L>) {
+    let (lambda, mu) = material.lame();
+    let density = f64::from(material.density());
+    out.nodes.copy_from_slice(mesh.nodes());
+    out.masses.fill(0.0);
+    let (mut total_mass, mut total_volume) = (0.0, 0.0);
+    let chunks = mesh.tets().chunks(BLOCK);
+    for ((chunk, block), stiffness) in chunks.zip(out.blocks.iter_mut()).zip(out.stiffness.iter_mut()) {
+        *block = TetBlock::ZERO;
+        for (lane, corners) in chunk.iter().enumerate() {
+            let Some(shape) = shape(mesh.nodes(), corners) else { continue };
+            total_volume += shape.volume;
+            for (corner, &node) in corners.iter().enumerate() {
+                block.corners[corner][lane] = node;
+                // m_i = Σ ρV/4
+                if let Some(mass) = out.masses.get_mut(node as usize) {
+                    *mass += to_f32(density * shape.volume / 4.0);
+                }
+            }
+            for corner in 0..3 {
+                for axis in 0..3 {
+                    block.gradients[corner][axis][lane] = to_f32(shape.gradients[corner][axis]);
+                }
+            }
+            block.lambda_v[lane] = to_f32(lambda * shape.volume);
+            block.mu_v[lane] = to_f32(mu * shape.volume);
+        }
+        *stiffness = L::isotropic(block);
+    }
+    for mass in out.masses.iter() {
+        total_mass += f64::from(*mass);
+    }
+    let (tets, nodes) = (mesh.tets().len(), mesh.nodes().len());
+    #[expect(clippy::cast_precision_loss, reason = "units only need the order of magnitude")]
+    let (per_tet, per_node) = (total_volume / tets as f64, total_mass / nodes as f64);
+    *out.header = Header {
+        tets: u32::try_from(tets).unwrap_or(u32::MAX),
+        alpha: material.alpha(),
+        beta: material.beta(),
+        length_unit: power_of_two_below(to_f32(libm::cbrt(per_tet))),
+        mass_unit: power_of_two_below(to_f32(per_node)),
+        total_mass: to_f32(total_mass),
+    };
+}
+
+/// Rest data of up to `NODES` nodes and `BLOCKS` blocks of eight tetrahedra
+/// (`BLOCKS` = [`blocks`]`(tets)`), for a `static`.
+#[derive(Debug)]
+pub struct RestBuffer<const NODES: usize, const BLOCKS: usize, L: Layout = Factored> {
+    nodes: heapless::Vec<[f32; 3], NODES>,
+    masses: heapless::Vec<f32, NODES>,
+    blocks: heapless::Vec<TetBlock, BLOCKS>,
+    stiffness: heapless::Vec<L::Stiffness, BLOCKS>,
+    header: Header,
+}
+
+impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCKS, L> {
+    /// No mesh yet. All bits zero, so that a `static` costs no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            nodes: heapless::Vec::new(),
+            masses: heapless::Vec::new(),
+            blocks: heapless::Vec::new(),
+            stiffness: heapless::Vec::new(),
+            header: Header::EMPTY,
+        }
+    }
+
+    /// Fills the buffer in place.
+    ///
+    /// # Errors
+    /// [`MeshError`] where the mesh does not fit, or its masses and stiffnesses leave the range of
+    /// f32. The buffer is then as it was.
+    pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
+        let (nodes, tets) = (mesh.nodes().len(), mesh.tets().len());
+        if nodes > NODES {
+            return Err(MeshError::TooManyNodes { needed: nodes, capacity: NODES });
+        }
+        if blocks(tets) > BLOCKS {
+            return Err(MeshError::TooManyTets { needed: tets, capacity: BLOCKS * BLOCK });
+        }
+        check_scale(mesh, material)?;
+        // Both were checked above, so no resize can fail.
+        _ = self.nodes.resize(nodes, [0.0; 3]);
+        _ = self.masses.resize(nodes, 0.0);
+        _ = self.blocks.resize(blocks(tets), TetBlock::ZERO);
+        _ = self.stiffness.resize(blocks(tets), L::ZERO_STIFFNESS);
+        fill(
+            mesh,
+            material,
+            &mut RestMut::<L> {
+                nodes: &mut self.nodes,
+                masses: &mut self.masses,
+                blocks: &mut self.blocks,
+                stiffness: &mut self.stiffness,
+                header: &mut self.header,
+            },
+        );
+        Ok(())
+    }
+
+    /// The data, borrowed.
+    #[must_use]
+    pub fn view(&self) -> Rest<'_, L> {
+        Rest {
+            nodes: &self.nodes,
+            masses: &self.masses,
+            blocks: &self.blocks,
+            stiffness: &self.stiffness,
+            header: self.header,
+        }
+    }
+}
+
+impl<const NODES: usize, const BLOCKS: usize, L: Layout> Default for RestBuffer<NODES, BLOCKS, L> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

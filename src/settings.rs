@@ -1,0 +1,163 @@
+//! What the user chooses for a step: time step, integration rule, solver and budget.
+
+use core::fmt;
+
+pub use crate::preconditioner::Preconditioner;
+
+/// How much work a step may do. It does exactly this much.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget {
+    /// Iterations of the conjugate gradient.
+    pub iterations: u32,
+    /// Jacobi sweeps of the polar decomposition.
+    pub polar_sweeps: u32,
+}
+
+impl Default for Budget {
+    /// 5 iterations, 2 sweeps.
+    fn default() -> Self {
+        Self { iterations: 5, polar_sweeps: 2 }
+    }
+}
+
+/// Where the solver starts, and the space W that it solves exactly (see the front page).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Start {
+    /// From rest. Energy-stable, but damps motion until it has converged.
+    Zero,
+    /// From v(t), the choice of Dahl and Bargteil. Can raise the energy, without bound where bodies are stiff.
+    Velocity,
+    /// From v(t) + hM⁻¹f. Unstable where bodies are stiff; here for comparison.
+    VelocityForce,
+    /// W = the last so many velocities, v(t) the first, and the translations of a free body. Energy-stable;
+    /// linear momentum is exact.
+    Galerkin(u8),
+    /// As `Galerkin`, and the three rotations about the centre of mass (of the pinned nodes, where a
+    /// body is held). Costs three applications more.
+    Rigid(u8),
+}
+
+impl Default for Start {
+    /// `Galerkin(1)`
+    fn default() -> Self {
+        Self::Galerkin(1)
+    }
+}
+
+impl Start {
+    /// Velocities before v(t) that a state must keep: the capacity `HISTORY`.
+    #[must_use]
+    pub const fn history(self) -> usize {
+        match self {
+            Self::Galerkin(m) | Self::Rigid(m) => (m as usize).saturating_sub(1),
+            _ => 0,
+        }
+    }
+
+    /// Vectors of W that a workspace must hold: the capacity `VECTORS`.
+    #[must_use]
+    pub const fn vectors(self) -> usize {
+        match self {
+            Self::Galerkin(m) => m as usize,
+            Self::Rigid(m) => m as usize + 3,
+            _ => 0,
+        }
+    }
+
+    /// Whether the iterate is a Galerkin solution, with W's translations where a body is free.
+    pub(crate) const fn is_augmented(self) -> bool {
+        matches!(self, Self::Galerkin(_) | Self::Rigid(_))
+    }
+}
+
+/// Everything about a step but the scene, validated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    dt: f32,
+    theta: f32,
+    /// Iterations and sweeps.
+    pub budget: Budget,
+    /// Start of the solver.
+    pub start: Start,
+    /// Preconditioner of the solver.
+    pub preconditioner: Preconditioner,
+}
+
+/// Which setting is out of its range; it carries the value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SettingsError {
+    /// The time step must be positive, finite and a normal f32 (s).
+    Dt(f32),
+    /// θ must lie between 0.5 and 1.
+    Theta(f32),
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Dt(x) => write!(f, "time step {x} must be positive and finite"),
+            Self::Theta(x) => write!(f, "theta {x} must be between 0.5 and 1"),
+        }
+    }
+}
+
+impl core::error::Error for SettingsError {}
+
+impl Settings {
+    /// Backward Euler with a time step of `dt` seconds and the default budget and solver.
+    ///
+    /// # Errors
+    /// [`SettingsError::Dt`].
+    pub fn new(dt: f32) -> Result<Self, SettingsError> {
+        if !(dt > 0.0 && dt.is_normal()) {
+            return Err(SettingsError::Dt(dt));
+        }
+        Ok(Self {
+            dt,
+            theta: 1.0,
+            budget: Budget::default(),
+            start: Start::default(),
+            preconditioner: Preconditioner::default(),
+        })
+    }
+
+    /// With θ: 1 is backward Euler, 0.5 the implicit Newmark (trapezoidal) rule.
+    ///
+    /// # Errors
+    /// [`SettingsError::Theta`].
+    pub fn with_theta(self, theta: f32) -> Result<Self, SettingsError> {
+        if (0.5..=1.0).contains(&theta) { Ok(Self { theta, ..self }) } else { Err(SettingsError::Theta(theta)) }
+    }
+
+    /// With this budget.
+    #[must_use]
+    pub fn with_budget(self, budget: Budget) -> Self {
+        Self { budget, ..self }
+    }
+
+    /// With this start.
+    #[must_use]
+    pub fn with_start(self, start: Start) -> Self {
+        Self { start, ..self }
+    }
+
+    /// With this preconditioner.
+    #[must_use]
+    pub fn with_preconditioner(self, preconditioner: Preconditioner) -> Self {
+        Self { preconditioner, ..self }
+    }
+
+    /// Time step h, seconds.
+    #[must_use]
+    pub fn dt(&self) -> f32 {
+        self.dt
+    }
+
+    /// θ
+    #[must_use]
+    pub fn theta(&self) -> f32 {
+        self.theta
+    }
+}

@@ -1,0 +1,516 @@
+//! One time step, as data flows:
+//!
+//! ```text
+//! x, Q → G = Q g, f_el → b → filter → start, W → k × { precondition, apply, dots } → v⁺ → x⁺ → Q⁺
+//! ```
+//!
+//! The θ family of linearly implicit steps, with A = M + θ²h²K + θhD and D = αM + βK:
+//!
+//! ```text
+//! b  = M v + h (f_el(x) + f_ext) − [θ(1−θ)h²K + (1−θ)hD] v,      A v⁺ = b,
+//! x⁺ = x + h (θ v⁺ + (1−θ) v)
+//! ```
+//!
+//! θ = 1 is backward Euler, where the bracket is absent; θ = ½ the implicit Newmark (trapezoidal)
+//! rule. Constrained parts of v are replaced by their targets in the bracket and in x⁺.
+//!
+//! The solver works on A/m₀ and on velocities over v₀, with m₀ and v₀ powers of two of the size of
+//! the body's node masses and of one element's length per step. Scaling is exact, keeps squares in the range
+//! of f32 for micrometres as for kilometres, and lets "nothing" mean the same in every unit.
+//!
+//! The rotations are fitted at the end of a step, so that a step which is refused leaves the state
+//! untouched without a copy of it.
+
+use glam::Vec3;
+
+use crate::body::{StateMut, WorkspaceMut};
+use crate::cg::{self, Space, System, Translations};
+use crate::collider::Collider;
+use crate::constraint::{ContactStep, Pin, land, pin, touch};
+use crate::element::{Layout, Sym3};
+use crate::lane::Lanes;
+use crate::math::{power_of_two_below, select, sqrt};
+use crate::operator::{Fit, Operator, fit_rotations, rotate};
+use crate::rest::Rest;
+use crate::settings::{Settings, Start};
+use crate::vector::{add_scaled, dot, momentum, multiply_blocks, sym_mul};
+
+/// What acts on a body during a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Scene<'a> {
+    /// Acceleration of gravity, m/s².
+    pub gravity: Vec3,
+    /// A force on every node in newtons, or empty for none.
+    pub forces: &'a [[f32; 3]],
+    /// Nodes whose velocity is prescribed. Of two pins on a node the later counts.
+    pub pins: &'a [Pin],
+    /// What nodes cannot enter.
+    pub colliders: &'a [Collider],
+}
+
+/// Why a step was refused. The state is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// This node would have got a position or velocity that is not finite.
+    NonFinite {
+        /// The first such node.
+        node: u32,
+    },
+    /// This pin names a node that the body does not have.
+    Pin {
+        /// Its place in [`Scene::pins`].
+        pin: u32,
+    },
+    /// [`Scene::forces`] is neither empty nor as long as the body has nodes.
+    Forces,
+    /// State or workspace is not of the size of the rest data: not filled, or of another body.
+    Storage,
+    /// The start needs more history than the state keeps.
+    History,
+    /// The start needs more vectors than the workspace holds.
+    Vectors,
+}
+
+impl core::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::NonFinite { node } => write!(f, "node {node} would have become non-finite"),
+            Self::Pin { pin } => write!(f, "pin {pin} names a node that does not exist"),
+            Self::Forces => f.write_str("the list of forces is not as long as the body has nodes"),
+            Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
+            Self::History => f.write_str("the start needs more history than the state keeps"),
+            Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
+        }
+    }
+}
+
+/// What a step says of itself. A step cannot fail: it advances the state, or reports why not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use = "a refused step leaves the state as it was"]
+pub struct StepReport {
+    /// Why the step was refused, if it was.
+    pub refusal: Option<Refusal>,
+    /// ‖b‖ in N·s, filtered.
+    pub rhs: f32,
+    /// ‖b − Av‖ in N·s before the first iteration, filtered.
+    pub residual_before: f32,
+    /// ‖b − Av‖ in N·s after the last iteration, filtered, as the recurrence has it.
+    pub residual_after: f32,
+    /// Iterations that moved the solution; the rest came after the residual had sunk to rounding.
+    pub updates: u32,
+    /// Contacts between nodes and colliders.
+    pub contacts: u32,
+}
+
+impl StepReport {
+    fn refused(refusal: Refusal) -> Self {
+        Self {
+            refusal: Some(refusal),
+            rhs: 0.0,
+            residual_before: 0.0,
+            residual_after: 0.0,
+            updates: 0,
+            contacts: 0,
+        }
+    }
+
+    /// ‖b − Av‖/‖b‖ after the last iteration; 0 where ‖b‖ = 0.
+    #[must_use]
+    pub fn relative_residual(&self) -> f32 {
+        if self.rhs > 0.0 { self.residual_after / self.rhs } else { 0.0 }
+    }
+
+    /// Whether the state advanced.
+    #[must_use]
+    pub fn advanced(&self) -> bool {
+        self.refusal.is_none()
+    }
+}
+
+/// The step's numbers, in units where one node's mass and one element a step are of order one.
+struct Units {
+    dt: f32,
+    theta: f32,
+    /// m₀, kg
+    mass: f32,
+    /// v₀, m/s
+    velocity: f32,
+    /// m₀v₀, N·s
+    impulse: f32,
+    /// c_M and c_K of A
+    system: [f32; 2],
+    /// c_M and c_K of the bracket, −(1−θ)hα and −[θ(1−θ)h² + (1−θ)hβ]
+    bracket: [f32; 2],
+}
+
+impl Units {
+    fn new<L: Layout>(rest: &Rest<'_, L>, settings: &Settings) -> Self {
+        let (h, theta, header) = (settings.dt(), settings.theta(), rest.header);
+        let velocity = header.length_unit / power_of_two_below(h);
+        let damped = theta * h;
+        let undamped = (1.0 - theta) * h;
+        let per_mass = |c: f32| c / header.mass_unit;
+        let per_stiffness = |c: f32| c / header.mass_unit / header.length_unit / header.length_unit;
+        Self {
+            dt: h,
+            theta,
+            mass: header.mass_unit,
+            velocity,
+            impulse: header.mass_unit * velocity,
+            system: [
+                per_mass(1.0 + damped * header.alpha),
+                per_stiffness(damped * damped + damped * header.beta),
+            ],
+            bracket: [
+                per_mass(-(undamped * header.alpha)),
+                per_stiffness(-(damped * undamped + undamped * header.beta)),
+            ],
+        }
+    }
+}
+
+/// The system as the solver sees it.
+struct Filtered<'a, L: Layout, R> {
+    operator: Operator<'a, L>,
+    /// P B P
+    blocks: &'a [Sym3<f32>],
+    lanes: core::marker::PhantomData<R>,
+}
+
+impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
+    fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
+        self.operator.apply::<R>(u, out);
+    }
+    fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
+        multiply_blocks(z, self.blocks, r);
+    }
+}
+
+/// Advances a body by one step. Its cost depends on the mesh, the lengths of the scene's lists and
+/// the settings; not on the state.
+///
+/// `R` is the lane type, [`Native`](crate::lane::Native) unless for testing; every choice gives the same bits.
+pub fn step<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &mut StateMut<'_>,
+    work: &mut WorkspaceMut<'_, L>,
+    scene: &Scene<'_>,
+    settings: &Settings,
+) -> StepReport {
+    if let Err(refusal) = check(rest, state, work, scene, settings) {
+        return StepReport::refused(refusal);
+    }
+    let units = Units::new(rest, settings);
+    let nodes = rest.nodes.len();
+
+    // b = M v + h f
+    external_impulses(rest, state, scene, &units, work.r);
+    rotate::<R, L>(rest, state.x, state.rotations, units.dt / units.impulse, work.rotated, work.r);
+
+    // Who is held, who touches, who slides; targets c in m/s.
+    pin(scene.pins, work.filter, work.v);
+    let contact = ContactStep {
+        masses: rest.masses,
+        x: state.x,
+        v: state.v,
+        gravity: scene.gravity,
+        dt: units.dt,
+        length_unit: rest.header.length_unit,
+        impulse_unit: units.impulse,
+    };
+    let contacts = touch(scene.colliders, &contact, work.r, work.filter, work.v);
+    for c in work.v.as_flattened_mut() {
+        *c /= units.velocity;
+    }
+
+    let [mass, stiffness] = units.system;
+    let operator = Operator { rest: *rest, rotated: &*work.rotated, mass, stiffness };
+    settings.preconditioner.prepare::<R, L>(&operator, work.filter, work.blocks);
+    let system = Filtered::<L, R> { operator, blocks: &*work.blocks, lanes: core::marker::PhantomData };
+
+    // The start v₀ in place of its constrained part c, and the bracket.
+    if units.theta < 1.0 {
+        constrained_velocity(state.v, work.filter, work.v, &units, work.p);
+        let [mass, stiffness] = units.bracket;
+        Operator { mass, stiffness, ..operator }.apply::<R>(work.p, work.q);
+    }
+    match settings.start {
+        Start::Velocity => {
+            constrained_velocity(state.v, work.filter, work.v, &units, work.p);
+            work.v.copy_from_slice(work.p);
+        }
+        Start::VelocityForce => {
+            // M⁻¹b = v + hM⁻¹f
+            let nodes = work.v.iter_mut().zip(&*work.r).zip(&*work.filter).zip(rest.masses);
+            for (((v, r), p), m) in nodes {
+                let guess = sym_mul(p, &r.map(|r| r * (units.mass / m)));
+                *v = core::array::from_fn(|a| v[a] + guess[a]);
+            }
+        }
+        Start::Zero | Start::Galerkin(_) | Start::Rigid(_) => {}
+    }
+    if units.theta < 1.0 {
+        add_scaled(work.r, 1.0, work.q);
+    }
+    let rhs = filtered_norm(work.filter, work.r);
+    system.precondition(work.r, work.q);
+    let rhs_square = dot(work.r, work.q);
+    let guessed = !settings.start.is_augmented() && settings.start != Start::Zero;
+    if guessed || !scene.colliders.is_empty() || scene.pins.iter().any(|pin| pin.velocity != Vec3::ZERO) {
+        system.apply(work.v, work.q);
+        add_scaled(work.r, -1.0, work.q);
+    }
+
+    // W, and the Galerkin solution over it.
+    let may_be_free = settings.start.is_augmented() && scene.pins.is_empty();
+    let free = may_be_free & (contacts == 0);
+    let per_mass = select(free, 1.0 / rest.header.total_mass, 0.0);
+    let translations =
+        may_be_free.then_some(Translations { masses: rest.masses, mass_factor: operator.mass, per_mass });
+    let stored = settings.start.vectors() * nodes;
+    fill_space(rest, state, scene, settings.start, &units, work.filter, work.vectors);
+    let mut space = Space {
+        vectors: work.vectors.get_mut(..stored).unwrap_or_default(),
+        products: work.products.get_mut(..stored).unwrap_or_default(),
+        nodes,
+        translations,
+    };
+    space.orthonormalise(&system);
+    space.project(work.v, work.r);
+    let residual_before = filtered_norm(work.filter, work.r);
+
+    let updates = cg::solve(
+        &system,
+        &space,
+        settings.budget.iterations,
+        rhs_square,
+        [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
+    );
+    let residual_after = filtered_norm(work.filter, work.r);
+
+    // v⁺ in m/s, x⁺ into p, checked before anything is kept.
+    if may_be_free {
+        keep_momentum(rest, state, scene, &units, free, work.v);
+    }
+    if let Some(node) = advance(rest, state, scene, &units, work) {
+        return StepReport::refused(Refusal::NonFinite { node });
+    }
+    commit(state, work);
+    fit_rotations::<R, L>(rest, state.x, Fit::Warm(settings.budget.polar_sweeps), state.rotations);
+    StepReport {
+        refusal: None,
+        rhs: rhs * units.impulse,
+        residual_before: residual_before * units.impulse,
+        residual_after: residual_after * units.impulse,
+        updates,
+        contacts,
+    }
+}
+
+fn check<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    work: &WorkspaceMut<'_, L>,
+    scene: &Scene<'_>,
+    settings: &Settings,
+) -> Result<(), Refusal> {
+    let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
+    let node_lists = [rest.masses.len(), state.x.len(), state.v.len(), work.filter.len(), work.blocks.len()];
+    let vectors = [work.v.len(), work.r.len(), work.p.len(), work.q.len()];
+    let block_lists = [rest.stiffness.len(), state.rotations.len(), work.rotated.len()];
+    if nodes == 0
+        || node_lists.iter().chain(&vectors).any(|&length| length != nodes)
+        || block_lists.iter().any(|&length| length != blocks)
+    {
+        return Err(Refusal::Storage);
+    }
+    if state.history.len() < settings.start.history() * nodes {
+        return Err(Refusal::History);
+    }
+    if work.vectors.len().min(work.products.len()) < settings.start.vectors() * nodes {
+        return Err(Refusal::Vectors);
+    }
+    if !(scene.forces.is_empty() || scene.forces.len() == nodes) {
+        return Err(Refusal::Forces);
+    }
+    let lost = (0_u32..).zip(scene.pins).find(|(_, pin)| pin.node as usize >= nodes);
+    lost.map_or(Ok(()), |(pin, _)| Err(Refusal::Pin { pin }))
+}
+
+/// `out` = M v + h f_external
+fn external_impulses<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    units: &Units,
+    out: &mut [[f32; 3]],
+) {
+    let fall = (scene.gravity * units.dt).to_array();
+    let per_unit = 1.0 / units.velocity;
+    for ((out, m), v) in out.iter_mut().zip(rest.masses).zip(&*state.v) {
+        let m = m / units.mass;
+        *out = core::array::from_fn(|a| m * ((v[a] + fall[a]) * per_unit));
+    }
+    let push = units.dt / units.impulse;
+    for (out, f) in out.iter_mut().zip(scene.forces) {
+        for axis in 0..3 {
+            out[axis] += push * f[axis];
+        }
+    }
+}
+
+/// `out` = P v(t)/v₀ + c
+fn constrained_velocity(
+    v: &[[f32; 3]],
+    filter: &[Sym3<f32>],
+    targets: &[[f32; 3]],
+    units: &Units,
+    out: &mut [[f32; 3]],
+) {
+    let per_unit = 1.0 / units.velocity;
+    for (((out, v), p), c) in out.iter_mut().zip(v).zip(filter).zip(targets) {
+        let free = sym_mul(p, v);
+        *out = core::array::from_fn(|a| free[a] * per_unit + c[a]);
+    }
+}
+
+/// ‖P u‖
+fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
+    let mut sum = 0.0;
+    for (p, u) in filter.iter().zip(u) {
+        let u = sym_mul(p, u);
+        sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    }
+    sqrt(sum)
+}
+
+/// Writes the stored vectors of W: the velocities v(t), v(t−h), …, then the rotations about the centre
+/// of mass, or of the pinned nodes; filtered.
+fn fill_space<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    start: Start,
+    units: &Units,
+    filter: &[Sym3<f32>],
+    vectors: &mut [[f32; 3]],
+) {
+    let nodes = rest.nodes.len();
+    let (velocities, rotations) = match start {
+        Start::Galerkin(m) => (usize::from(m), false),
+        Start::Rigid(m) => (usize::from(m), true),
+        _ => (0, false),
+    };
+    let mut vectors = vectors.chunks_exact_mut(nodes);
+    let per_unit = 1.0 / units.velocity;
+    let past = core::iter::once(&*state.v).chain(state.history.chunks_exact(nodes));
+    for (w, v) in vectors.by_ref().zip(past).take(velocities) {
+        for ((w, v), p) in w.iter_mut().zip(v).zip(filter) {
+            *w = sym_mul(p, &v.map(|v| v * per_unit));
+        }
+    }
+    if rotations {
+        let centre = pivot(rest, state, scene);
+        let per_length = 1.0 / rest.header.length_unit;
+        for (axis, w) in vectors.take(3).enumerate() {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            for ((w, x), p) in w.iter_mut().zip(&*state.x).zip(filter) {
+                // e × (x − centre)
+                let mut turn = [0.0; 3];
+                turn[next] = -((x[last] - centre[last]) * per_length);
+                turn[last] = (x[next] - centre[next]) * per_length;
+                *w = sym_mul(p, &turn);
+            }
+        }
+    }
+}
+
+/// The centre of mass, or the middle of the pinned nodes.
+fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>) -> [f32; 3] {
+    if scene.pins.is_empty() {
+        return momentum(rest.masses, state.x).map(|sum| sum / rest.header.total_mass);
+    }
+    let (mut sum, mut count) = ([0.0_f32; 3], 0.0_f32);
+    for x in scene.pins.iter().filter_map(|pin| state.x.get(pin.node as usize)) {
+        for axis in 0..3 {
+            sum[axis] += x[axis];
+        }
+        count += 1.0;
+    }
+    sum.map(|s| s / count)
+}
+
+/// Gives a free body the linear momentum that its external forces leave it, to rounding:
+/// (1 + θhα) Σ m v⁺ = (1 − (1−θ)hα) Σ m v + h Σ f_external. W has the translations, so the solve gave it
+/// already, but for the rounding of elastic forces that cancel.
+fn keep_momentum<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    units: &Units,
+    free: bool,
+    v: &mut [[f32; 3]],
+) {
+    let (h, alpha, total) = (units.dt, rest.header.alpha, rest.header.total_mass);
+    let before = momentum(rest.masses, state.v);
+    let now = momentum(rest.masses, v);
+    let mut force = [0.0_f32; 3];
+    for f in scene.forces {
+        for axis in 0..3 {
+            force[axis] += f[axis];
+        }
+    }
+    let gravity = scene.gravity.to_array();
+    let missing: [f32; 3] = core::array::from_fn(|axis| {
+        let kept = (1.0 - (1.0 - units.theta) * h * alpha) * before[axis];
+        let gained = h * (total * gravity[axis] + force[axis]);
+        let target = (kept + gained) / (1.0 + units.theta * h * alpha);
+        select(free, (target / units.velocity - now[axis]) / total, 0.0)
+    });
+    for v in v {
+        for axis in 0..3 {
+            v[axis] += missing[axis];
+        }
+    }
+}
+
+/// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.
+fn advance<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    units: &Units,
+    work: &mut WorkspaceMut<'_, L>,
+) -> Option<u32> {
+    let (h, theta) = (units.dt, units.theta);
+    let mut first = None;
+    let old = state.x.iter().zip(&*state.v).zip(&*work.filter);
+    let new = work.p.iter_mut().zip(&mut *work.v);
+    for (node, (((x, v), p), (x_new, v_new))) in (0_u32..).zip(old.zip(new)) {
+        *v_new = v_new.map(|v| v * units.velocity);
+        // The constrained part of v(t) is that of v⁺.
+        let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
+        *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
+        land(scene.colliders, rest.header.length_unit, x, x_new, v_new);
+        let finite = x_new.iter().chain(v_new.iter()).all(|c| c.is_finite());
+        if !finite && first.is_none() {
+            first = Some(node);
+        }
+    }
+    first
+}
+
+/// Keeps what [`advance`] found.
+fn commit<L: Layout>(state: &mut StateMut<'_>, work: &WorkspaceMut<'_, L>) {
+    let nodes = state.v.len();
+    let kept = state.history.len().saturating_sub(nodes);
+    if state.history.len() >= nodes {
+        state.history.copy_within(..kept, nodes);
+        if let Some(latest) = state.history.get_mut(..nodes) {
+            latest.copy_from_slice(state.v);
+        }
+    }
+    state.v.copy_from_slice(work.v);
+    state.x.copy_from_slice(work.p);
+}

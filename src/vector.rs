@@ -1,0 +1,85 @@
+//! Sums and updates over node vectors.
+//!
+//! Sums run in one order for every lane width: eight running sums over the flat array, folded in a
+//! fixed tree. Eight sums keep rounding low, and let the compiler use whatever lanes it has.
+
+use crate::element::Sym3;
+
+const SUMS: usize = 8;
+
+#[inline]
+fn fold(s: [f32; SUMS]) -> f32 {
+    ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
+}
+
+/// a · b
+#[inline]
+#[must_use]
+pub fn dot(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
+    let (a, a_rest) = a.as_flattened().as_chunks::<SUMS>();
+    let (b, b_rest) = b.as_flattened().as_chunks::<SUMS>();
+    let mut sums = [0.0; SUMS];
+    for (a, b) in a.iter().zip(b) {
+        for k in 0..SUMS {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    for ((sum, a), b) in sums.iter_mut().zip(a_rest).zip(b_rest) {
+        *sum += a * b;
+    }
+    fold(sums)
+}
+
+/// y += a x
+#[inline]
+pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y += a * x;
+    }
+}
+
+/// y = x + b y
+#[inline]
+pub fn scale_and_add(y: &mut [[f32; 3]], b: f32, x: &[[f32; 3]]) {
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y = x + b * *y;
+    }
+}
+
+/// S v
+#[inline]
+#[must_use]
+pub fn sym_mul(s: &Sym3<f32>, v: &[f32; 3]) -> [f32; 3] {
+    [
+        s[0] * v[0] + s[1] * v[1] + s[2] * v[2],
+        s[1] * v[0] + s[3] * v[1] + s[4] * v[2],
+        s[2] * v[0] + s[4] * v[1] + s[5] * v[2],
+    ]
+}
+
+/// y_i = S_i x_i
+#[inline]
+pub fn multiply_blocks(y: &mut [[f32; 3]], blocks: &[Sym3<f32>], x: &[[f32; 3]]) {
+    for ((y, s), x) in y.iter_mut().zip(blocks).zip(x) {
+        *y = sym_mul(s, x);
+    }
+}
+
+/// Σ m_i u_i, each axis with a running compensation (Neumaier 1974): the sum's error does not grow
+/// with the number of nodes.
+#[inline]
+#[must_use]
+pub fn momentum(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
+    let (mut sum, mut lost) = ([0.0_f32; 3], [0.0_f32; 3]);
+    for (m, u) in masses.iter().zip(u) {
+        for axis in 0..3 {
+            let (a, b) = (sum[axis], m * u[axis]);
+            let s = a + b;
+            // Knuth's two-sum: exact without a comparison of magnitudes.
+            let t = s - a;
+            lost[axis] += (a - (s - t)) + (b - t);
+            sum[axis] = s;
+        }
+    }
+    core::array::from_fn(|axis| sum[axis] + lost[axis])
+}
