@@ -254,12 +254,13 @@ pub fn step<R: Lanes, L: Layout>(
         add_scaled(work.r, 1.0, work.q);
     }
     let rhs = filtered_norm(work.filter, work.r);
-    system.precondition(work.r, work.q);
-    let rhs_square = dot(work.r, work.q);
+    let mut rhs_square = squared(&system, work.r, work.q);
     let guessed = !settings.start.is_augmented() && settings.start != Start::Zero;
     if guessed || !scene.colliders.is_empty() || scene.pins.iter().any(|pin| pin.velocity != Vec3::ZERO) {
         system.apply(work.v, work.q);
         add_scaled(work.r, -1.0, work.q);
+        let moved = squared(&system, work.r, work.q);
+        rhs_square = select(moved > rhs_square, moved, rhs_square);
     }
 
     // W, and the Galerkin solution over it.
@@ -373,6 +374,12 @@ fn constrained_velocity(
         let free = sym_mul(p, v);
         *out = core::array::from_fn(|a| free[a] * per_unit + c[a]);
     }
+}
+
+/// rᵀPBPr; `z` is scratch
+fn squared(system: &impl System, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
+    system.precondition(r, z);
+    dot(r, z)
 }
 
 /// ‖P u‖

@@ -132,10 +132,10 @@ pub fn cantilever() -> Setup {
     setup
 }
 
-/// A bar whose ends are turned against each other by moving pins: half a turn a second each.
+/// A bar whose ends are turned against each other by moving pins, through about 35° each.
 pub fn pinned_twist() -> Setup {
     let turn = |x: [f32; 3]| {
-        let side = if x[0] < 0.5 { 3.0 } else { -3.0 };
+        let side = if x[0] < 0.5 { 0.5 } else { -0.5 };
         [0.0, -side * (x[2] - 0.125), side * (x[1] - 0.125)]
     };
     let mut setup = Setup::new("pinned twist", box_mesh([1.0, 0.25, 0.25], [6, 2, 2]))

@@ -1,2 +1,148 @@
+//! Without a command: the built-in scene, what it cost, and how exact it was.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
 use crate::error::Error;
-pub fn command() -> Result<u8, Error> { Ok(0) }
+use crate::info::thousands;
+use crate::mesh::{Mesh, gmsh};
+use crate::run;
+use crate::scene::{self, Meshes, Scene};
+use crate::sim::{Energies, Sim};
+
+const SCENE: &str = include_str!("../scenes/snowman.toml");
+const SNOWMAN: &[u8] = include_bytes!("../meshes/snowman.msh");
+const OUT: &str = "femto-out";
+
+/// The budget of the run that counts as converged.
+const CONVERGED: u32 = 200;
+const CONVERGED_SWEEPS: u32 = 8;
+
+/// The built-in mesh, whatever name the scene gives it.
+struct BuiltIn;
+
+impl Meshes for BuiltIn {
+    fn load(&mut self, _: &str) -> Result<Mesh, String> {
+        gmsh::parse(SNOWMAN)
+    }
+}
+
+/// Returns the exit status, 0 or 3.
+pub fn command() -> Result<u8, Error> {
+    let scene = scene::parse("snowman.toml", SCENE, &mut BuiltIn)?;
+    let mut sim = Sim::new(&scene)?;
+    let mut track = Vec::new();
+    let summary = run::run(&scene, &mut sim, Path::new(OUT), &[], false, |sim| {
+        track.push(sim.positions(0).to_vec());
+    })?;
+    if let Some(why) = &summary.refused {
+        eprintln!("error: {}: step {} was refused: {why}", scene.file, summary.steps_run + 1);
+        return Ok(3);
+    }
+    let error = error_against_converged(&scene, &track)?;
+    crate::print(&describe(&scene, &sim, &summary, error));
+    Ok(0)
+}
+
+/// RMS distance of the nodes from where the converged run has them, over the diagonal of the
+/// rest shape: mean over the steps, and after the last.
+fn error_against_converged(scene: &Scene, track: &[Vec<[f32; 3]>]) -> Result<Option<(f64, f64)>, Error> {
+    let mut converged = scene.clone();
+    converged.budget.iterations = CONVERGED;
+    converged.budget.polar_sweeps = CONVERGED_SWEEPS;
+    let mut sim = Sim::new(&converged)?;
+    let rest = &scene.bodies[0].rest;
+    let low = rest.iter().fold([f32::INFINITY; 3], |a, b| std::array::from_fn(|i| a[i].min(b[i])));
+    let high = rest.iter().fold([f32::NEG_INFINITY; 3], |a, b| std::array::from_fn(|i| a[i].max(b[i])));
+    let diagonal = squared_distance(&low, &high).sqrt();
+
+    let (mut sum, mut last) = (0.0, 0.0);
+    for positions in track {
+        if sim.step().is_err() {
+            return Ok(None);
+        }
+        let squares: f64 = positions.iter().zip(sim.positions(0)).map(|(a, b)| squared_distance(a, b)).sum();
+        last = (squares / positions.len() as f64).sqrt() / diagonal;
+        sum += last;
+    }
+    Ok((!track.is_empty()).then(|| (sum / track.len() as f64, last)))
+}
+
+fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum()
+}
+
+fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64, f64)>) -> String {
+    let body = &scene.bodies[0];
+    let memory = sim.memory();
+    let budget = scene.budget;
+    let mut text = format!("femto {}: a snowman falls and topples\n\n", env!("CARGO_PKG_VERSION"));
+    let mut row = |name: &str, value: String| {
+        let _ = writeln!(text, "  {name:<10}{value}");
+    };
+    row(
+        "body",
+        format!(
+            "{} nodes, {} tets; E = {:e} Pa, ν = {}, {} kg/m³",
+            thousands(body.rest.len()),
+            thousands(body.tets.len()),
+            body.young,
+            body.poisson,
+            body.density
+        ),
+    );
+    row(
+        "run",
+        format!("{} steps of {:.3} ms, {:.1} s in all", summary.steps_run, scene.dt * 1e3, f64::from(summary.steps_run) * scene.dt),
+    );
+    row(
+        "budget",
+        format!(
+            "{} iterations and {} polar sweeps a step; {}, start {}",
+            budget.iterations, budget.polar_sweeps, scene.solver.preconditioner, scene.solver.start
+        ),
+    );
+    row("", String::new());
+    if let (Some(min), Some(median)) = (summary.times.min, summary.times.median) {
+        row("a step", format!("{:.0} µs (median; fastest {:.0})", median * 1e6, min * 1e6));
+    }
+    row(
+        "memory",
+        format!(
+            "rest {}, state {}, workspace {} bytes",
+            thousands(memory.rest),
+            thousands(memory.state),
+            thousands(memory.workspace)
+        ),
+    );
+    match error {
+        Some((mean, last)) => {
+            row("error", format!("{} mean, {} at the end: RMS position error over the body's diagonal,", percent(mean), percent(last)));
+            row("", format!("against the same scene with {CONVERGED} iterations and {CONVERGED_SWEEPS} sweeps"));
+        }
+        None => row("error", "unknown: the converged run was refused".into()),
+    }
+    row("energy", format!("first {}", energies(&summary.first)));
+    row("", format!("last  {}", energies(&summary.last)));
+    let (rise, step) = summary.max_rise;
+    row(
+        "",
+        match step {
+            0 => "it never rose in a step".into(),
+            _ => format!("the most it rose in a step: {rise:.2e} J (step {step})"),
+        },
+    );
+    row("", String::new());
+    row("picture", format!("{OUT}/preview.svg"));
+    row("numbers", format!("{OUT}/final.csv, trace.csv, report.json"));
+    row("your own", "femto run SCENE.toml --out DIR; femto info MESH".into());
+    text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
+}
+
+fn percent(part: f64) -> String {
+    format!("{:.2} %", 100.0 * part)
+}
+
+fn energies(e: &Energies) -> String {
+    format!("{:.1} J (kinetic {:.1}, elastic {:.1}, potential {:.1})", e.total(), e.kinetic, e.elastic, e.potential)
+}

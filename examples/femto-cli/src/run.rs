@@ -50,7 +50,7 @@ pub fn command(args: &Args) -> Result<u8, Error> {
     let scene = scene::load(&args.scene)?;
     let mut sim = Sim::new(&scene)?;
     let frames = frame_steps(args.frames, scene.steps)?;
-    let summary = run(&scene, &mut sim, &args.out, &frames, args.quiet)?;
+    let summary = run(&scene, &mut sim, &args.out, &frames, args.quiet, |_| {})?;
     if let Some(why) = &summary.refused {
         eprintln!(
             "error: {}: step {} of {} was refused: {why}; the state before it is in {}",
@@ -92,8 +92,15 @@ fn evenly(count: u32, last: u32) -> Vec<u32> {
     steps
 }
 
-/// Simulates, and fills DIR. The scene is valid by now.
-pub fn run(scene: &Scene, sim: &mut Sim, out: &Path, frames: &[u32], quiet: bool) -> Result<Summary, Error> {
+/// Simulates, and fills DIR. The scene is valid by now. `after_step` sees each new state.
+pub fn run(
+    scene: &Scene,
+    sim: &mut Sim,
+    out: &Path,
+    frames: &[u32],
+    quiet: bool,
+    mut after_step: impl FnMut(&Sim),
+) -> Result<Summary, Error> {
     let mut files = Files::new(out, !frames.is_empty())?;
     let mut trace = tables::trace(&out.join("trace.csv")).map_err(|e| files.wrong("trace.csv", e.into()))?;
     let tets: Vec<&[[u32; 4]]> = scene.bodies.iter().map(|b| b.tets.as_slice()).collect();
@@ -119,7 +126,6 @@ pub fn run(scene: &Scene, sim: &mut Sim, out: &Path, frames: &[u32], quiet: bool
         if step == scene.steps {
             break;
         }
-        let begin = Instant::now();
         let info = match sim.step() {
             Ok(info) => info,
             Err(why) => {
@@ -127,8 +133,9 @@ pub fn run(scene: &Scene, sim: &mut Sim, out: &Path, frames: &[u32], quiet: bool
                 break;
             }
         };
-        times.push(begin.elapsed());
+        times.push(info.took);
         step += 1;
+        after_step(sim);
         let time = f64::from(step) * scene.dt;
         let after = sim.measure();
         let rise = after.energy.total() - last.total();

@@ -143,7 +143,7 @@ impl Panel<'_> {
         }
         let light = normal.dot(self.camera.light).max(0.0);
         let above = 0.5 + 0.5 * normal.dot(self.camera.vertical);
-        let brightness = 0.08 + 0.72 * light + 0.20 * above;
+        let brightness: f64 = 0.08 + 0.72 * light + 0.20 * above;
         Some(Facet {
             depth: self.camera.depth((a + b + c) / 3.0),
             corners,
