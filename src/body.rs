@@ -95,7 +95,8 @@ impl StateMut<'_> {
             }
         }
         let finite = |u: &[f32; 3]| u.iter().all(|c| c.is_finite());
-        if let Some((node, _)) = (0_u32..).zip(x.iter().zip(v)).find(|(_, (x, v))| !(finite(x) && finite(v))) {
+        if let Some((node, _)) = (0_u32..).zip(x.iter().zip(v)).find(|(_, (x, v))| !(finite(x) && finite(v)))
+        {
             return Err(StateError::NonFinite { node });
         }
         self.x.copy_from_slice(x);
@@ -226,7 +227,9 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
     }
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> Default for State<NODES, BLOCKS, HISTORY> {
+impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> Default
+    for State<NODES, BLOCKS, HISTORY>
+{
     fn default() -> Self {
         Self::new()
     }
@@ -234,7 +237,8 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> Default for 
 
 /// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, and `VECTORS` stored vectors of W.
 #[derive(Debug)]
-pub struct Workspace<const NODES: usize, const BLOCKS: usize, const VECTORS: usize = 1, L: Layout = Factored> {
+pub struct Workspace<const NODES: usize, const BLOCKS: usize, const VECTORS: usize = 1, L: Layout = Factored>
+{
     rotated: [L::Rotated; BLOCKS],
     filter: [Sym3<f32>; NODES],
     blocks: [Sym3<f32>; NODES],

@@ -101,7 +101,8 @@ impl Space<'_> {
         for k in 0..count {
             let (vectors, rest) = self.vectors.split_at_mut(k * self.nodes);
             let (products, rest_products) = self.products.split_at_mut(k * self.nodes);
-            let (Some(w), Some(aw)) = (rest.get_mut(..self.nodes), rest_products.get_mut(..self.nodes)) else {
+            let (Some(w), Some(aw)) = (rest.get_mut(..self.nodes), rest_products.get_mut(..self.nodes))
+            else {
                 return;
             };
             let before = dot(w, w);
@@ -115,7 +116,8 @@ impl Space<'_> {
             let after = dot(w, w);
             system.apply(w, aw);
             let square = dot(w, aw);
-            let usable = (after > PARALLEL * before) & (after > NOTHING) & (square > NOTHING) & square.is_finite();
+            let usable =
+                (after > PARALLEL * before) & (after > NOTHING) & (square > NOTHING) & square.is_finite();
             let scale = 1.0 / sqrt(select(usable, square, 1.0));
             for x in w.as_flattened_mut().iter_mut().chain(aw.as_flattened_mut()) {
                 *x = select(usable, *x * scale, 0.0);

@@ -141,11 +141,7 @@ fn constrain(
 ) {
     let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
     let missing = (target - n.dot(Vec3::from_array(*c))) * inverse;
-    *c = select3(
-        active,
-        [c[0] + missing * free[0], c[1] + missing * free[1], c[2] + missing * free[2]],
-        *c,
-    );
+    *c = select3(active, [c[0] + missing * free[0], c[1] + missing * free[1], c[2] + missing * free[2]], *c);
     let [x, y, z] = *free;
     let outer = [x * x, x * y, x * z, y * y, y * z, z * z];
     for (entry, product) in p.iter_mut().zip(outer) {

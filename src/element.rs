@@ -22,7 +22,8 @@
 //! sum to zero), 216 bytes, and carries *any* linear elastic material.
 
 use crate::lane::{
-    BLOCK, Lanes, Real, add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose, zero3,
+    BLOCK, Lanes, Real, add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose,
+    zero3,
 };
 use crate::rest::TetBlock;
 

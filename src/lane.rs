@@ -50,12 +50,7 @@ mod native {
 
 /// Arithmetic that a kernel may use, on one number or on several side by side.
 pub trait Real:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The same number in every lane.
     fn splat(x: f32) -> Self;

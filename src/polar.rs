@@ -174,8 +174,7 @@ pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
 /// The half turn that leaves a saddle, or the identity where B is none.
 fn escape<R: Real>(b: &[[R; 3]; 3]) -> Quaternion<R> {
     let half = R::splat(0.5);
-    let mut s: [[R; 3]; 3] =
-        core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
+    let mut s: [[R; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
     let mut v = identity(); // VᵀSV diagonal
     for _ in 0..6 {
         diagonalise_pair::<R, 0, 1, 3>(&mut v, &mut s, R::splat(1.0));

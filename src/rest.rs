@@ -24,8 +24,12 @@ pub struct TetBlock {
 
 impl TetBlock {
     /// Eight padding tetrahedra.
-    pub const ZERO: Self =
-        Self { corners: [[0; BLOCK]; 4], gradients: [[[0.0; BLOCK]; 3]; 3], lambda_v: [0.0; BLOCK], mu_v: [0.0; BLOCK] };
+    pub const ZERO: Self = Self {
+        corners: [[0; BLOCK]; 4],
+        gradients: [[[0.0; BLOCK]; 3]; 3],
+        lambda_v: [0.0; BLOCK],
+        mu_v: [0.0; BLOCK],
+    };
 }
 
 /// The few numbers of a body that are not per node or per tetrahedron.

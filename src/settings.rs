@@ -128,7 +128,11 @@ impl Settings {
     /// # Errors
     /// [`SettingsError::Theta`].
     pub fn with_theta(self, theta: f32) -> Result<Self, SettingsError> {
-        if (0.5..=1.0).contains(&theta) { Ok(Self { theta, ..self }) } else { Err(SettingsError::Theta(theta)) }
+        if (0.5..=1.0).contains(&theta) {
+            Ok(Self { theta, ..self })
+        } else {
+            Err(SettingsError::Theta(theta))
+        }
     }
 
     /// With this budget.

@@ -288,6 +288,7 @@ pub fn step<R: Lanes, L: Layout>(
         rhs_square,
         [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
     );
+    space.project(work.v, work.r);
     let residual_after = filtered_norm(work.filter, work.r);
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.

@@ -19,7 +19,9 @@ fn run<L: Layout>(setup: &Setup, start: Start, preconditioner: Preconditioner, s
         let report = body.step(&scene, &settings);
         assert!(report.advanced(), "{}: {report:?}", setup.name);
         reference.step();
-        if step == 0 { println!("{} first {:e} {report:?}", setup.name, distance(body.positions(), &reference)); }
+        if step == 0 {
+            println!("{} first {:e} {report:?}", setup.name, distance(body.positions(), &reference));
+        }
     }
     distance(body.positions(), &reference)
 }
@@ -27,11 +29,11 @@ fn run<L: Layout>(setup: &Setup, start: Start, preconditioner: Preconditioner, s
 #[test]
 fn two_hundred_steps_follow_the_oracle() {
     for setup in scenes::all() {
-      for start in [Start::Zero, Start::Velocity, Start::Galerkin(1), Start::Galerkin(3), Start::Rigid(2)] {
-        let error = run::<Factored>(&setup, start, Preconditioner::Jacobi, 200);
-        println!("{} {start:?}: {error:e}", setup.name);
-        let error = run::<Dense>(&setup, start, Preconditioner::BlockJacobi, 200);
-        println!("{} dense {start:?}: {error:e}", setup.name);
-      }
+        for start in [Start::Zero, Start::Velocity, Start::Galerkin(1), Start::Galerkin(3), Start::Rigid(2)] {
+            let error = run::<Factored>(&setup, start, Preconditioner::Jacobi, 200);
+            println!("{} {start:?}: {error:e}", setup.name);
+            let error = run::<Dense>(&setup, start, Preconditioner::BlockJacobi, 200);
+            println!("{} dense {start:?}: {error:e}", setup.name);
+        }
     }
 }

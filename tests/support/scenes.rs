@@ -13,7 +13,7 @@ use super::meshes::{TetMesh, box_mesh, jitter, two_pieces};
 use super::reference::{Reference, node, stack};
 
 /// Everything that defines a run but the solver's settings. SI units; f32, so that both see the same.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub struct Setup {
     pub name: &'static str,
     pub mesh: TetMesh,
@@ -52,7 +52,8 @@ impl Setup {
 
     /// Adds ω × (x − centroid) to the velocities.
     pub fn spinning(mut self, omega: [f32; 3]) -> Self {
-        let centre = self.x.iter().fold(Vec3::ZERO, |sum, x| sum + Vec3::from_array(*x)) / self.x.len() as f32;
+        let centre =
+            self.x.iter().fold(Vec3::ZERO, |sum, x| sum + Vec3::from_array(*x)) / self.x.len() as f32;
         for (v, x) in self.v.iter_mut().zip(&self.x) {
             let spin = Vec3::from_array(omega).cross(Vec3::from_array(*x) - centre);
             *v = (Vec3::from_array(*v) + spin).to_array();
@@ -61,7 +62,11 @@ impl Setup {
     }
 
     /// Pins the nodes whose rest position satisfies `inside`, with a velocity that may depend on it.
-    pub fn pinned(mut self, inside: impl Fn([f32; 3]) -> bool, velocity: impl Fn([f32; 3]) -> [f32; 3]) -> Self {
+    pub fn pinned(
+        mut self,
+        inside: impl Fn([f32; 3]) -> bool,
+        velocity: impl Fn([f32; 3]) -> [f32; 3],
+    ) -> Self {
         for (i, x) in self.mesh.nodes.iter().enumerate() {
             if inside(*x) {
                 self.pins.push((i as u32, velocity(*x)));
@@ -71,7 +76,10 @@ impl Setup {
     }
 
     pub fn material(&self) -> Material {
-        Material::new(self.young, self.poisson, self.density).unwrap().with_damping(self.alpha, self.beta).unwrap()
+        Material::new(self.young, self.poisson, self.density)
+            .unwrap()
+            .with_damping(self.alpha, self.beta)
+            .unwrap()
     }
 
     pub fn body<L: Layout>(&self, start: Start) -> OwnedBody<L> {
@@ -153,8 +161,9 @@ pub fn two() -> Setup {
 
 /// ν = 0.499, hanging by one end, with the trapezoidal rule.
 pub fn near_incompressible() -> Setup {
-    let mut setup = Setup::new("near-incompressible", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 7))
-        .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
+    let mut setup =
+        Setup::new("near-incompressible", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 7))
+            .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
     setup.poisson = 0.499;
     setup.young = 2e5;
     setup.gravity = [0.0, -9.81, 0.0];
@@ -163,8 +172,9 @@ pub fn near_incompressible() -> Setup {
 
 /// A body let go from a stretched state, with the trapezoidal rule and damping.
 pub fn released_newmark() -> Setup {
-    let mut setup = Setup::new("released (Newmark)", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 11))
-        .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
+    let mut setup =
+        Setup::new("released (Newmark)", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 11))
+            .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
     for x in &mut setup.x {
         x[0] *= 1.1;
     }

@@ -93,7 +93,12 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     );
     row(
         "run",
-        format!("{} steps of {:.3} ms, {:.1} s in all", summary.steps_run, scene.dt * 1e3, f64::from(summary.steps_run) * scene.dt),
+        format!(
+            "{} steps of {:.3} ms, {:.1} s in all",
+            summary.steps_run,
+            scene.dt * 1e3,
+            f64::from(summary.steps_run) * scene.dt
+        ),
     );
     row(
         "budget",
@@ -117,8 +122,9 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     );
     match error {
         Some((mean, last)) => {
-            row("error", format!("{} mean, {} at the end: RMS position error over the body's diagonal,", percent(mean), percent(last)));
-            row("", format!("against the same scene with {CONVERGED} iterations and {CONVERGED_SWEEPS} sweeps"));
+            row("error", format!("{} mean, {} at the end", percent(mean), percent(last)));
+            row("", "RMS position error over the body's diagonal, against the same".into());
+            row("", format!("scene with {CONVERGED} iterations and {CONVERGED_SWEEPS} polar sweeps a step"));
         }
         None => row("error", "unknown: the converged run was refused".into()),
     }
@@ -144,5 +150,11 @@ fn percent(part: f64) -> String {
 }
 
 fn energies(e: &Energies) -> String {
-    format!("{:.1} J (kinetic {:.1}, elastic {:.1}, potential {:.1})", e.total(), e.kinetic, e.elastic, e.potential)
+    format!(
+        "{:.1} J (kinetic {:.1}, elastic {:.1}, potential {:.1})",
+        e.total(),
+        e.kinetic,
+        e.elastic,
+        e.potential
+    )
 }

@@ -14,10 +14,7 @@ const LISTED: usize = 20;
 
 /// Returns the exit status, 0 or 2.
 pub fn command(path: &Path) -> Result<u8, Error> {
-    let wrong = |what: String| Error::Mesh {
-        file: path.display().to_string(),
-        what,
-    };
+    let wrong = |what: String| Error::Mesh { file: path.display().to_string(), what };
     let mesh = mesh::load(path).map_err(wrong)?;
     let problems = check::problems(&mesh);
     let mut text = format!("{}: {}\n", path.display(), mesh.format);
@@ -75,7 +72,10 @@ fn describe(text: &mut String, mesh: &Mesh) {
     row("surface", format!("{} triangles, area {}", thousands(surface.len()), digits(area)));
     let crowded = shape::crowded_faces(&nodes);
     if crowded > 0 {
-        row("warning", format!("{} faces belong to more than two tets: the mesh overlaps itself", thousands(crowded)));
+        row(
+            "warning",
+            format!("{} faces belong to more than two tets: the mesh overlaps itself", thousands(crowded)),
+        );
     }
 
     let mut volumes: Vec<f64> = corners.iter().map(|&c| shape::volume(c)).collect();

@@ -28,7 +28,10 @@ use clap::{Parser, Subcommand};
 /// Without a command: drops a snowman, writes femto-out/, and says what it cost and how
 /// exact it was.
 #[derive(Parser)]
-#[command(version, after_help = "Exit status: 0 done, 2 bad command line, scene or mesh, 3 a step was refused.")]
+#[command(
+    version,
+    after_help = "Exit status: 0 done, 2 bad command line, scene or mesh, 3 a step was refused."
+)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,

@@ -53,11 +53,14 @@ impl Placing {
     pub fn start(&self, rest: &[DVec3]) -> (Vec<DVec3>, Vec<DVec3>) {
         let sum = rest.iter().fold(DVec3::ZERO, |sum, &X| sum + X);
         let centroid = sum / rest.len() as f64;
-        let x: Vec<DVec3> = rest.iter().map(|&X| {
-            // An axis that is not stretched keeps its bits: c + (X − c) may differ from X.
-            let stretched = centroid + self.stretch * (X - centroid);
-            DVec3::select(self.stretch.cmpeq(DVec3::ONE), X, stretched)
-        }).collect();
+        let x: Vec<DVec3> = rest
+            .iter()
+            .map(|&X| {
+                // An axis that is not stretched keeps its bits: c + (X − c) may differ from X.
+                let stretched = centroid + self.stretch * (X - centroid);
+                DVec3::select(self.stretch.cmpeq(DVec3::ONE), X, stretched)
+            })
+            .collect();
         let v = x.iter().map(|&x| self.velocity + self.angular_velocity.cross(x - centroid)).collect();
         (x, v)
     }
@@ -83,7 +86,12 @@ fn rotation(k: DVec3, degrees: f64) -> DMat3 {
 }
 
 /// The nodes that the body's pins hold, chosen by placed rest position, bounds included.
-pub fn pins(check: &Checker, key: &str, raw: &file::Body, rest: &[DVec3]) -> Result<Vec<(u32, [f32; 3])>, Error> {
+pub fn pins(
+    check: &Checker,
+    key: &str,
+    raw: &file::Body,
+    rest: &[DVec3],
+) -> Result<Vec<(u32, [f32; 3])>, Error> {
     let mut pins = BTreeMap::new();
     for (i, pin) in raw.pin.iter().enumerate() {
         let key = format!("{key}.pin[{i}]");
@@ -92,9 +100,8 @@ pub fn pins(check: &Checker, key: &str, raw: &file::Body, rest: &[DVec3]) -> Res
             (Some(Corners(corners)), None) => {
                 let key = format!("{key}.box");
                 for &corner in corners {
-                    // Infinite bounds are a clear way to say "all that side".
-                    if corner.iter().any(|x| x.is_nan()) {
-                        return Err(check.wrong(&key, corners, "must be numbers"));
+                    if corner.iter().any(|x| !x.is_finite()) {
+                        return Err(check.wrong(&key, corners, "must be finite"));
                     }
                 }
                 let [low, high] = corners.map(DVec3::from);

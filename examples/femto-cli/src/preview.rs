@@ -5,7 +5,7 @@ mod camera;
 mod chart;
 mod panel;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Group, Rectangle, Style, Text};
@@ -13,7 +13,7 @@ use svg::node::element::{Group, Rectangle, Style, Text};
 use crate::mesh::shape;
 use crate::scene::{Collider, Scene};
 use crate::sim::{Energies, Sim};
-use camera::Camera;
+use camera::{Camera, Frame};
 use panel::{Bounds, Panel};
 
 /// How many states a picture shows.
@@ -22,6 +22,8 @@ pub const MOMENTS: u32 = 5;
 const WIDTH: f64 = 1200.0;
 const MARGIN: f64 = 24.0;
 const GAP: f64 = 10.0;
+/// Around the bodies in a panel.
+const PADDING: f64 = 18.0;
 const HEAD: f64 = 58.0;
 const CHART_HEIGHT: f64 = 330.0;
 const FONT: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
@@ -63,12 +65,7 @@ impl EnergyLog {
     const LIMIT: usize = 2048;
 
     pub fn new(start: Energies) -> Self {
-        EnergyLog {
-            points: vec![(0.0, start)],
-            stride: 1,
-            skipped: 0,
-            last: (0.0, start),
-        }
+        EnergyLog { points: vec![(0.0, start)], stride: 1, skipped: 0, last: (0.0, start) }
     }
 
     pub fn push(&mut self, time: f64, energies: Energies) {
@@ -112,17 +109,14 @@ impl<'a> Preview<'a> {
 
     pub fn draw(&self, energy: &EnergyLog, refused: bool) -> String {
         let camera = Camera::new(DVec3::from(self.scene.gravity.map(f64::from)));
-        let windows = self.windows();
+        let views = self.views(&camera);
         let count = self.moments.len().max(1) as f64;
         let width = (WIDTH - 2.0 * MARGIN - GAP * (count - 1.0)) / count;
-        let frame = windows
-            .iter()
-            .map(|w| camera.frame(w, &self.scene.colliders))
-            .fold([0.0_f64; 2], |[w, h], f| [w.max(f.width()), h.max(f.height())]);
+        let needed = views.iter().map(|(_, frame)| frame.size()).fold(DVec2::ZERO, DVec2::max);
         // One scale for all; panels are as high as the motion is, within reason.
-        let inner = width - 16.0;
-        let height = (frame[1] / frame[0] * inner + 16.0).clamp(190.0, 400.0);
-        let scale = (inner / frame[0]).min((height - 16.0) / frame[1]);
+        let inner = width - 2.0 * PADDING;
+        let height = (needed.y / needed.x * inner + 2.0 * PADDING).clamp(190.0, 420.0);
+        let scale = (inner / needed.x).min((height - 2.0 * PADDING) / needed.y);
 
         let top = HEAD + height + 34.0;
         let total = top + CHART_HEIGHT + 12.0;
@@ -135,11 +129,11 @@ impl<'a> Preview<'a> {
             .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", "#ffffff"))
             .add(text(&self.scene.file, MARGIN, 30.0, 20.0, "#1d2733").set("font-weight", "bold"))
             .add(text(&self.subtitle(refused), MARGIN, 49.0, 13.0, "#5b6673"));
-        for (i, (moment, window)) in self.moments.iter().zip(&windows).enumerate() {
+        for (i, (moment, (window, frame))) in self.moments.iter().zip(&views).enumerate() {
             let left = MARGIN + i as f64 * (width + GAP);
             let panel = Panel {
                 camera: &camera,
-                frame: camera.frame(window, &self.scene.colliders),
+                frame: *frame,
                 window,
                 scale,
                 size: [width, height],
@@ -149,10 +143,15 @@ impl<'a> Preview<'a> {
             let label = format!("t = {} s", trim(moment.time));
             document = document
                 .add(Group::new().set("transform", format!("translate({left:.1},{HEAD})")).add(picture))
-                .add(text(&label, left + width / 2.0, HEAD + height + 19.0, 13.0, "#333d48").set("text-anchor", "middle"));
+                .add(
+                    text(&label, left + width / 2.0, HEAD + height + 19.0, 13.0, "#333d48")
+                        .set("text-anchor", "middle"),
+                );
         }
         let chart = chart::energies(energy.all(), WIDTH - 2.0 * MARGIN, CHART_HEIGHT);
-        document = document.add(Group::new().set("transform", format!("translate({MARGIN},{top:.1})")).add(Blob::new(chart)));
+        document = document.add(
+            Group::new().set("transform", format!("translate({MARGIN},{top:.1})")).add(Blob::new(chart)),
+        );
         document.to_string()
     }
 
@@ -179,21 +178,25 @@ impl<'a> Preview<'a> {
 
     /// What each panel shows: all the same part of space, or, where the bodies travel much
     /// farther than they are long, each its own.
-    fn windows(&self) -> Vec<Bounds> {
-        let each: Vec<Bounds> = self.moments.iter().map(|m| Bounds::of(m.positions.iter().flatten())).collect();
+    fn views(&self, camera: &Camera) -> Vec<(Bounds, Frame)> {
+        let points: Vec<Vec<DVec3>> = self.moments.iter().map(|m| m.positions.concat()).collect();
+        let each: Vec<Bounds> = points.iter().map(|p| Bounds::of(p.iter())).collect();
         let largest = each.iter().map(Bounds::diagonal).fold(0.0, f64::max);
         let all = each.iter().fold(Bounds::EMPTY, |all, b| all.and(b));
+        let colliders = self.moments.iter().map(|m| self.colliders_at(m.time));
         if all.diagonal() <= 4.0 * largest {
-            return vec![all; each.len()];
+            let colliders: Vec<Collider> = colliders.flatten().collect();
+            let frame = camera.frame(&points.concat(), &all, &colliders);
+            return vec![(all, frame); each.len()];
         }
-        each
+        let own = |((points, window), colliders): ((&Vec<DVec3>, &Bounds), Vec<Collider>)| {
+            (*window, camera.frame(points, window, &colliders))
+        };
+        points.iter().zip(&each).zip(colliders).map(own).collect()
     }
 
     fn colliders_at(&self, time: f64) -> Vec<Collider> {
-        let at = |c: &Collider| Collider {
-            shape: c.shape_at(time),
-            ..*c
-        };
+        let at = |c: &Collider| Collider { shape: c.shape_at(time), ..*c };
         self.scene.colliders.iter().map(at).collect()
     }
 }
@@ -239,11 +242,7 @@ mod tests {
 
     #[test]
     fn a_long_run_keeps_its_ends_and_little_memory() {
-        let e = |kinetic| Energies {
-            kinetic,
-            elastic: 0.0,
-            potential: 0.0,
-        };
+        let e = |kinetic| Energies { kinetic, elastic: 0.0, potential: 0.0 };
         let mut log = EnergyLog::new(e(0.0));
         for i in 1..=100_001 {
             log.push(f64::from(i), e(f64::from(i)));

@@ -175,10 +175,7 @@ pub fn run(
         budget: scene.budget,
         solver: &scene.solver,
         state_hash: format!("{:016x}", sim.hash()),
-        energy: FirstAndLast {
-            first: EnergyReport::from(first),
-            last: EnergyReport::from(last),
-        },
+        energy: FirstAndLast { first: EnergyReport::from(first), last: EnergyReport::from(last) },
         seconds_per_step: times,
         steps_run: step,
         ended: match &refused {
@@ -188,14 +185,7 @@ pub fn run(
     };
     let json = serde_json::to_string_pretty(&report).expect("a report has no keys that are not text");
     fs::write(out.join("report.json"), json + "\n").map_err(|e| files.wrong("report.json", e))?;
-    Ok(Summary {
-        first,
-        last,
-        max_rise,
-        times,
-        steps_run: step,
-        refused,
-    })
+    Ok(Summary { first, last, max_rise, times, steps_run: step, refused })
 }
 
 /// DIR, and the frames written so far.
@@ -208,14 +198,8 @@ impl<'a> Files<'a> {
     /// Makes DIR and takes away what an earlier run left there.
     fn new(out: &'a Path, with_frames: bool) -> Result<Self, Error> {
         let folder = if with_frames { out.join("frames") } else { out.to_path_buf() };
-        fs::create_dir_all(&folder).map_err(|source| Error::Out {
-            path: out.into(),
-            source,
-        })?;
-        let files = Files {
-            out,
-            frames: Vec::new(),
-        };
+        fs::create_dir_all(&folder).map_err(|source| Error::Out { path: out.into(), source })?;
+        let files = Files { out, frames: Vec::new() };
         for name in ["final.csv", "report.json", "preview.svg", "frames/frames.pvd"] {
             files.remove(name)?;
         }
@@ -240,10 +224,7 @@ impl<'a> Files<'a> {
     }
 
     fn wrong(&self, name: &str, source: io::Error) -> Error {
-        Error::Write {
-            path: self.out.join(name),
-            source,
-        }
+        Error::Write { path: self.out.join(name), source }
     }
 
     fn frame(&mut self, time: f64, sim: &Sim, tets: &[&[[u32; 4]]]) -> Result<(), Error> {
@@ -278,10 +259,7 @@ impl Progress {
         if !quiet && io::stderr().is_terminal() {
             return Progress { bar, begin };
         }
-        Progress {
-            bar: ProgressBar::hidden(),
-            begin,
-        }
+        Progress { bar: ProgressBar::hidden(), begin }
     }
 
     fn set(&self, step: u32) {

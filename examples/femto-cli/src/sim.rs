@@ -114,18 +114,13 @@ impl Sim {
                 scene::Layout::Dense => build(body, settings.start).map(Kind::Dense),
             };
             let kind = kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
-            let pin = |&(node, v): &(u32, [f32; 3])| Pin {
-                node,
-                velocity: Vec3::from_array(v),
-            };
-            bodies.push(Body {
-                kind,
-                pins: body.pins.iter().map(pin).collect(),
-            });
+            let pin = |&(node, v): &(u32, [f32; 3])| Pin { node, velocity: Vec3::from_array(v) };
+            bodies.push(Body { kind, pins: body.pins.iter().map(pin).collect() });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
-            collider_at(collider, 0.0)
-                .map_err(|e| wrong(&format!("collider[{i}]"), format!("{:?}", collider.shape), e.to_string()))?;
+            collider_at(collider, 0.0).map_err(|e| {
+                wrong(&format!("collider[{i}]"), format!("{:?}", collider.shape), e.to_string())
+            })?;
         }
         Ok(Sim {
             bodies,
@@ -159,11 +154,7 @@ impl Sim {
     }
 
     fn substeps(&mut self) -> Result<StepInfo, String> {
-        let mut info = StepInfo {
-            residual: 0.0,
-            contacts: 0,
-            took: Duration::ZERO,
-        };
+        let mut info = StepInfo { residual: 0.0, contacts: 0, took: Duration::ZERO };
         for substep in 0..self.substeps {
             let time = self.made as f64 * self.substep;
             let colliders: Result<Vec<_>, _> = self.colliders.iter().map(|c| collider_at(c, time)).collect();
@@ -171,12 +162,8 @@ impl Sim {
             let (mut residual, mut rhs) = (0.0, 0.0);
             info.contacts = 0;
             for (i, body) in self.bodies.iter_mut().enumerate() {
-                let scene = StepScene {
-                    gravity: self.gravity,
-                    forces: &[],
-                    pins: &body.pins,
-                    colliders: &colliders,
-                };
+                let scene =
+                    StepScene { gravity: self.gravity, forces: &[], pins: &body.pins, colliders: &colliders };
                 let begin = Instant::now();
                 let report: StepReport = with!(&mut body.kind, body => body.step(&scene, &self.settings));
                 info.took += begin.elapsed();
@@ -265,10 +252,7 @@ fn settings(scene: &Scene) -> Result<Settings, SettingsError> {
         scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
         scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
     };
-    let budget = Budget {
-        iterations: scene.budget.iterations,
-        polar_sweeps: scene.budget.polar_sweeps,
-    };
+    let budget = Budget { iterations: scene.budget.iterations, polar_sweeps: scene.budget.polar_sweeps };
     let settings = Settings::new(scene.substep as f32)?.with_theta(scene.theta)?;
     Ok(settings.with_budget(budget).with_start(start).with_preconditioner(preconditioner))
 }

@@ -53,7 +53,19 @@ impl TraceRow {
 
 /// The head, for a run without steps; with steps it comes from the first row.
 pub const TRACE_HEAD: [&str; 14] = [
-    "step", "time", "kinetic", "elastic", "potential", "residual", "px", "py", "pz", "lx", "ly", "lz", "min_det",
+    "step",
+    "time",
+    "kinetic",
+    "elastic",
+    "potential",
+    "residual",
+    "px",
+    "py",
+    "pz",
+    "lx",
+    "ly",
+    "lz",
+    "min_det",
     "contacts",
 ];
 

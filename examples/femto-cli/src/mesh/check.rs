@@ -11,14 +11,34 @@ use super::{Mesh, shape};
 pub enum Problem {
     NoNodes,
     NoTets,
-    NotFinite { node: u64, at: [f64; 3] },
-    NoSuchNode { tet: u64, node: i128, known: String },
-    RepeatedNode { tet: u64, node: u64 },
-    Inverted { tet: u64, volume: f64 },
-    Flat { tet: u64, volume: f64 },
-    Unused { node: u64 },
+    NotFinite {
+        node: u64,
+        at: [f64; 3],
+    },
+    NoSuchNode {
+        tet: u64,
+        node: i128,
+        known: String,
+    },
+    RepeatedNode {
+        tet: u64,
+        node: u64,
+    },
+    Inverted {
+        tet: u64,
+        volume: f64,
+    },
+    Flat {
+        tet: u64,
+        volume: f64,
+    },
+    Unused {
+        node: u64,
+    },
     /// A number given twice by the file.
-    NodeTwice { node: u64 },
+    NodeTwice {
+        node: u64,
+    },
     /// In the library's words.
     Other(String),
 }
@@ -65,14 +85,12 @@ pub fn problems(mesh: &Mesh) -> Vec<Problem> {
     let tet = |index: u32| mesh.tet_names[index as usize];
     femto::mesh::problems(&rounded, &mesh.tets, |problem| {
         found.push(match problem {
-            MeshError::NonFiniteNode { node: n } => Problem::NotFinite {
-                node: node(n),
-                at: mesh.nodes[n as usize].to_array(),
-            },
-            MeshError::RepeatedNode { tet: t, node: n } => Problem::RepeatedNode {
-                tet: tet(t),
-                node: node(n),
-            },
+            MeshError::NonFiniteNode { node: n } => {
+                Problem::NotFinite { node: node(n), at: mesh.nodes[n as usize].to_array() }
+            }
+            MeshError::RepeatedNode { tet: t, node: n } => {
+                Problem::RepeatedNode { tet: tet(t), node: node(n) }
+            }
             MeshError::BadVolume { tet: t } => {
                 let corners = mesh.corners(mesh.tets[t as usize]).unwrap_or_default();
                 if !corners.iter().all(|c| c.is_finite()) {

@@ -16,7 +16,7 @@ use super::{LIMIT, Mesh, NOWHERE};
 pub fn parse(bytes: &[u8]) -> Result<Mesh, String> {
     check_format(bytes)?;
     let bytes = with_sparse_tags(bytes)?;
-    let file = mshio::parse_msh_bytes(&bytes).map_err(|e| describe(&e, bytes.len(), &bytes))?;
+    let file = mshio::parse_msh_bytes(&bytes).map_err(|e| describe(&e, &bytes))?;
     build(&file)
 }
 
@@ -27,7 +27,9 @@ fn check_format(bytes: &[u8]) -> Result<(), String> {
     let fields: Vec<&str> = head.split_whitespace().collect();
     match fields[..] {
         ["4.1", "0", "8"] => Ok(()),
-        ["4.1", "1", _] => Err("a binary Gmsh file: only ASCII is supported (gmsh -format msh41 without -bin)".into()),
+        ["4.1", "1", _] => {
+            Err("a binary Gmsh file: only ASCII is supported (gmsh -format msh41 without -bin)".into())
+        }
         ["4.1", ..] => Err(format!("Gmsh format line `{head}`: expected `4.1 0 8`")),
         [version, ..] => Err(format!(
             "Gmsh format {version}: only 4.1 (ASCII) is supported (gmsh FILE -save -format msh41)"
@@ -79,13 +81,11 @@ fn with_sparse_tags(bytes: &[u8]) -> Result<Vec<u8>, String> {
 }
 
 fn build(file: &MshFile<u64, i32, f64>) -> Result<Mesh, String> {
-    let mut mesh = Mesh {
-        format: "Gmsh 4.1 ASCII".into(),
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { format: "Gmsh 4.1 ASCII".into(), ..Mesh::default() };
     let mut index_of = HashMap::new();
     for block in file.data.nodes.iter().flat_map(|n| &n.node_blocks) {
-        let mut tags: Vec<(usize, u64)> = block.node_tags.iter().flatten().map(|(&tag, &i)| (i, tag)).collect();
+        let mut tags: Vec<(usize, u64)> =
+            block.node_tags.iter().flatten().map(|(&tag, &i)| (i, tag)).collect();
         tags.sort_unstable();
         if tags.len() != block.nodes.len() {
             return Err("$Nodes: a node tag is given twice".into());
@@ -133,7 +133,8 @@ fn build(file: &MshFile<u64, i32, f64>) -> Result<Mesh, String> {
         return Err(format!("has {quadratic} 10-node tets and no 4-node tets, which alone are supported"));
     }
     if others + quadratic > 0 {
-        mesh.notes.push(format!("{} volume elements that are not 4-node tets were left out", others + quadratic));
+        mesh.notes
+            .push(format!("{} volume elements that are not 4-node tets were left out", others + quadratic));
     }
     drop_unused_nodes(&mut mesh);
     Ok(mesh)
@@ -166,23 +167,23 @@ fn drop_unused_nodes(mesh: &mut Mesh) {
     mesh.node_names.retain(|_| keep.next() == Some(&true));
 }
 
-/// The line where reading stopped, and the innermost thing that was being read there.
-fn describe(error: &MshParserError<&[u8]>, length: usize, bytes: &[u8]) -> String {
-    let steps = error.filtered_backtrace();
-    let mut what: Vec<String> = Vec::new();
-    for (_, kind) in steps.iter().take(3) {
-        let text = kind.context().map_or_else(|| kind.to_string(), str::to_owned);
-        if !what.contains(&text) {
-            what.push(text);
-        }
-    }
+/// The line where reading stopped, what was wrong, and the innermost thing being read there.
+fn describe(error: &MshParserError<&[u8]>, bytes: &[u8]) -> String {
     let rest = error.backtrace.first().map_or(0, |(rest, _)| rest.len());
-    let line = bytes[..length - rest.min(length)].iter().filter(|&&b| b == b'\n').count() + 1;
-    let line = if rest == 0 { "ends too early".into() } else { format!("line {line}") };
-    match what.is_empty() {
-        true => line,
-        false => format!("{line}: {}", what.join(", in ")),
+    let read = &bytes[..bytes.len() - rest.min(bytes.len())];
+    let mut what = match rest {
+        0 => "the file ends too early".into(),
+        _ => format!("line {}", 1 + read.iter().filter(|&&b| b == b'\n').count()),
+    };
+    let steps = error.filtered_backtrace();
+    let kind = steps.iter().find(|(_, kind)| kind.context().is_none());
+    if let Some((_, kind)) = kind {
+        what += &format!(": {}", kind.to_string().trim_end_matches('.'));
     }
+    if let Some(place) = steps.iter().find_map(|(_, kind)| kind.context()) {
+        what += &format!(" ({place})");
+    }
+    what
 }
 
 #[cfg(test)]
@@ -220,7 +221,14 @@ mod tests {
 
     #[test]
     fn numbers_are_read_to_the_last_bit() {
-        for text in ["0.1", "1.7976931348623157e308", "-5e-324", "0.30000000000000004", "123456789.123456789", "2.2250738585072011e-308"] {
+        for text in [
+            "0.1",
+            "1.7976931348623157e308",
+            "-5e-324",
+            "0.30000000000000004",
+            "123456789.123456789",
+            "2.2250738585072011e-308",
+        ] {
             let mesh = parse(FILE.replacen("0 0 1\n3", &format!("0 0 {text}\n3"), 1).as_bytes()).unwrap();
             assert_eq!(mesh.nodes[0].z.to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text}");
         }
@@ -245,10 +253,15 @@ mod tests {
     fn damage_is_an_error_and_never_a_panic() {
         assert_eq!(fails("2 5 1 5", "2 0 1 5"), "has 0 nodes");
         assert_eq!(fails("2 2 1 2", "2 0 1 2"), "has 0 elements");
-        assert!(fails("2 2 1 2", "2 99999999999999999999 1 2").contains("does not hold a number of elements"));
+        assert!(
+            fails("2 2 1 2", "2 99999999999999999999 1 2").contains("does not hold a number of elements")
+        );
         assert!(fails("2 5 1 5", "2 5 1").contains("four numbers"));
         assert!(fails("2\n1\n3\n1 0 0", "2\n2\n3\n1 0 0").contains("given twice"));
-        assert!(fails("0 1 0\n$End", "0 one 0\n$End").contains("line 22"), "{}", fails("0 1 0\n$End", "0 one 0\n$End"));
+        assert_eq!(
+            fails("0 1 0\n$End", "0 one 0\n$End"),
+            "line 21: An invalid node definition was encountered (y coordinate)"
+        );
         for end in 0..FILE.len() - 1 {
             let _ = parse(&FILE.as_bytes()[..end]);
         }

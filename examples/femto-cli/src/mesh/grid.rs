@@ -24,10 +24,7 @@ pub fn mesh(size: [f64; 3], cells: [u32; 3]) -> Result<Mesh, String> {
         return Err(format!("{nodes} nodes and {tets} tets are more than {LIMIT}"));
     }
 
-    let mut mesh = Mesh {
-        format: "box".into(),
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { format: "box".into(), ..Mesh::default() };
     for i in 0..=nx {
         for j in 0..=ny {
             for k in 0..=nz {

@@ -79,9 +79,7 @@ pub fn pieces(nodes: usize, tets: &[[u32; 4]]) -> usize {
             parent[a.max(b) as usize] = a.min(b);
         }
     }
-    (0..nodes as u32)
-        .filter(|&n| used[n as usize] && parent[n as usize] == n)
-        .count()
+    (0..nodes as u32).filter(|&n| used[n as usize] && parent[n as usize] == n).count()
 }
 
 #[cfg(test)]
@@ -100,8 +98,8 @@ mod tests {
     fn regular_tet_has_mean_ratio_one() {
         let regular = [
             DVec3::new(1.0, 1.0, 1.0),
-            DVec3::new(1.0, -1.0, -1.0),
             DVec3::new(-1.0, 1.0, -1.0),
+            DVec3::new(1.0, -1.0, -1.0),
             DVec3::new(-1.0, -1.0, 1.0),
         ];
         assert!((mean_ratio(regular) - 1.0).abs() < 1e-15);

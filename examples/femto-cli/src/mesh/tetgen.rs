@@ -9,10 +9,7 @@ use super::check::Problem;
 use super::{LIMIT, Mesh, NOWHERE};
 
 pub fn parse(node: &[u8], ele: &[u8]) -> Result<Mesh, String> {
-    let mut mesh = Mesh {
-        format: "TetGen .node and .ele".into(),
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { format: "TetGen .node and .ele".into(), ..Mesh::default() };
     let first = nodes(node, &mut mesh).map_err(|e| format!(".node {e}"))?;
     elements(ele, first, &mut mesh).map_err(|e| format!(".ele {e}"))?;
     Ok(mesh)
@@ -35,11 +32,7 @@ fn nodes(text: &[u8], mesh: &mut Mesh) -> Result<u64, String> {
             first = first_index(&row, name)?;
         }
         in_order(&row, name, first + i)?;
-        mesh.nodes.push(DVec3::new(
-            row.get(1, "x")?,
-            row.get(2, "y")?,
-            row.get(3, "z")?,
-        ));
+        mesh.nodes.push(DVec3::new(row.get(1, "x")?, row.get(2, "y")?, row.get(3, "z")?));
         mesh.node_names.push(name);
     }
     rows.end("nodes")?;
@@ -106,19 +99,14 @@ struct Rows<'a> {
 impl<'a> Rows<'a> {
     fn new(text: &'a [u8]) -> Result<Self, String> {
         let text = std::str::from_utf8(text).map_err(|_| "is not text")?;
-        Ok(Rows {
-            lines: text.lines().enumerate(),
-        })
+        Ok(Rows { lines: text.lines().enumerate() })
     }
 
     fn find(&mut self) -> Option<Row<'a>> {
         self.lines.find_map(|(number, line)| {
             let line = line.split('#').next().unwrap_or("");
             let fields: Vec<&str> = line.split([' ', '\t', ',', '\r']).filter(|f| !f.is_empty()).collect();
-            (!fields.is_empty()).then_some(Row {
-                number: number + 1,
-                fields,
-            })
+            (!fields.is_empty()).then_some(Row { number: number + 1, fields })
         })
     }
 
@@ -206,7 +194,10 @@ mod tests {
         assert_eq!(fails("2 3\n0 0 0 0\n2 0 0 0\n", ELE), ".node line 3: index 2: expected 1");
         assert_eq!(fails("1 3\n0 0 zero 0\n", ELE), ".node line 2: y is `zero`, not a number that fits");
         assert_eq!(fails("1 3\n0 0 0\n", ELE), ".node line 2: z is missing");
-        assert_eq!(fails("99999999999999 3\n", ELE), ".node line 1: the number of nodes is 99999999999999, more than 67108864");
+        assert_eq!(
+            fails("99999999999999 3\n", ELE),
+            ".node line 1: the number of nodes is 99999999999999, more than 67108864"
+        );
         assert_eq!(fails("2 3\n0 0 0 0\n", ELE), ".node ends before node 2 of 2");
         assert_eq!(fails("0 3\n0 0 0 0\n", ELE), ".node line 2: more nodes than the head says");
         assert_eq!(fails(NODE, "1 10 0\n"), ".ele line 1: 10-node tets are not supported, only 4-node tets");

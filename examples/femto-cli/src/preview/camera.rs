@@ -22,24 +22,22 @@ pub struct Camera {
 /// The part of the picture's plane that is needed, y up.
 #[derive(Clone, Copy)]
 pub struct Frame {
-    pub low: DVec2,
-    pub high: DVec2,
+    low: DVec2,
+    high: DVec2,
 }
 
 impl Frame {
-    pub fn width(&self) -> f64 {
-        self.high.x - self.low.x
+    /// Never zero.
+    pub fn size(&self) -> DVec2 {
+        (self.high - self.low).max(DVec2::splat(1e-9))
     }
 
-    pub fn height(&self) -> f64 {
-        self.high.y - self.low.y
+    pub fn middle(&self) -> DVec2 {
+        (self.high + self.low) / 2.0
     }
 
     fn of(points: impl Iterator<Item = DVec2>) -> Self {
-        let mut frame = Frame {
-            low: DVec2::INFINITY,
-            high: DVec2::NEG_INFINITY,
-        };
+        let mut frame = Frame { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
         for p in points {
             frame.low = frame.low.min(p);
             frame.high = frame.high.max(p);
@@ -62,13 +60,7 @@ impl Camera {
         let right = vertical.cross(eye).normalize();
         let up = eye.cross(right);
         let light = (vertical * 0.85 - right * 0.55 + eye * 0.45).normalize();
-        Camera {
-            right,
-            up,
-            eye,
-            light,
-            vertical,
-        }
+        Camera { right, up, eye, light, vertical }
     }
 
     pub fn project(&self, p: DVec3) -> DVec2 {
@@ -80,25 +72,25 @@ impl Camera {
         p.dot(self.eye)
     }
 
-    /// The frame that shows these bounds, with the ground under them and spheres near them.
-    pub fn frame(&self, window: &Bounds, colliders: &[Collider]) -> Frame {
-        let mut points: Vec<DVec2> = window.corners().iter().map(|&c| self.project(c)).collect();
+    /// The frame that shows these points, the ground straight under them, and spheres near them.
+    pub fn frame(&self, points: &[DVec3], window: &Bounds, colliders: &[Collider]) -> Frame {
+        let mut needed: Vec<DVec2> = points.iter().map(|&p| self.project(p)).collect();
         for collider in colliders {
             match collider.shape {
                 Shape::Plane { normal, offset } => {
                     if let Some(tile) = self.tile(window, normal, offset) {
-                        points.extend(tile.corners().iter().map(|&c| self.project(c)));
+                        needed.extend(points.iter().map(|&p| self.project(tile.under(p))));
                     }
                 }
                 Shape::Sphere { centre, radius } => {
                     if radius < window.diagonal() && window.distance(centre) < radius + window.diagonal() {
                         let c = self.project(centre);
-                        points.extend([c - radius, c + radius]);
+                        needed.extend([c - radius, c + radius]);
                     }
                 }
             }
         }
-        Frame::of(points.into_iter())
+        Frame::of(needed.into_iter())
     }
 
     /// The piece of a plane that lies under a window, when it is near and seen from above.
@@ -107,32 +99,25 @@ impl Camera {
         if normal.dot(self.eye) < 0.05 || distance > window.diagonal() {
             return None;
         }
-        let along = self.right - normal * self.right.dot(normal);
-        let u = along.try_normalize().unwrap_or_else(|| normal.any_orthonormal_vector());
         // Grid lines run along the world's axes where the plane has them.
         let axis = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|a| normal.dot(*a).abs() < 1e-9);
-        let u = axis.unwrap_or(u);
+        let u = axis.unwrap_or_else(|| normal.any_orthonormal_vector());
         let v = normal.cross(u);
         let corners = window.corners();
         let range = |axis: DVec3| {
             let low = corners.iter().map(|c| axis.dot(*c)).fold(f64::INFINITY, f64::min);
             let high = corners.iter().map(|c| axis.dot(*c)).fold(f64::NEG_INFINITY, f64::max);
-            let margin = 0.10 * window.diagonal();
+            let margin = 0.5 * window.diagonal();
             (low - margin, high + margin)
         };
-        Some(Tile {
-            base: normal * offset,
-            u,
-            v,
-            u_range: range(u),
-            v_range: range(v),
-        })
+        Some(Tile { normal, offset, u, v, u_range: range(u), v_range: range(v) })
     }
 }
 
 /// A rectangle on a plane.
 pub struct Tile {
-    base: DVec3,
+    normal: DVec3,
+    offset: f64,
     u: DVec3,
     v: DVec3,
     u_range: (f64, f64),
@@ -141,7 +126,12 @@ pub struct Tile {
 
 impl Tile {
     fn at(&self, u: f64, v: f64) -> DVec3 {
-        self.base + self.u * u + self.v * v
+        self.normal * self.offset + self.u * u + self.v * v
+    }
+
+    /// The nearest point of the plane.
+    fn under(&self, p: DVec3) -> DVec3 {
+        p - self.normal * (self.normal.dot(p) - self.offset)
     }
 
     pub fn corners(&self) -> [DVec3; 4] {
@@ -157,7 +147,8 @@ impl Tile {
             return Vec::new();
         }
         let power = libm::pow(10.0, libm::floor(libm::log10(length / 5.0)));
-        let spacing = [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| *s <= length / 5.0).unwrap_or(power);
+        let spacing =
+            [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| *s <= length / 5.0).unwrap_or(power);
         let ticks = |low: f64, high: f64| {
             let first = libm::ceil(low / spacing);
             (0..100).map(move |i| (first + f64::from(i)) * spacing).take_while(move |t| *t <= high)

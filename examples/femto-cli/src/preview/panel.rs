@@ -19,23 +19,14 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    pub const EMPTY: Bounds = Bounds {
-        low: DVec3::INFINITY,
-        high: DVec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     pub fn of<'a>(points: impl Iterator<Item = &'a DVec3>) -> Self {
-        points.fold(Bounds::EMPTY, |b, &p| Bounds {
-            low: b.low.min(p),
-            high: b.high.max(p),
-        })
+        points.fold(Bounds::EMPTY, |b, &p| Bounds { low: b.low.min(p), high: b.high.max(p) })
     }
 
     pub fn and(&self, other: &Bounds) -> Self {
-        Bounds {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// Never zero, so that a body in one point has a picture too.
@@ -83,21 +74,31 @@ pub fn style(bodies: &[[&str; 3]], solid: &[&str; 3]) -> String {
     for (i, [dark, light, line]) in bodies.iter().chain([solid]).enumerate() {
         for shade in 0..SHADES {
             let t = shade as f64 / (SHADES - 1) as f64;
-            let _ = write!(css, ".c{i}-{shade}{{fill:{};stroke:{}}}", mix(dark, light, t), mix(line, light, 0.75 * t));
+            let _ = write!(
+                css,
+                ".c{i}-{shade}{{fill:{};stroke:{}}}",
+                mix(dark, light, t),
+                mix(line, light, 0.75 * t)
+            );
         }
     }
     css
 }
 
 impl Panel<'_> {
-    pub fn draw(&self, positions: &[Vec<DVec3>], surfaces: &[Vec<[u32; 3]>], colliders: &[Collider]) -> Group {
+    pub fn draw(
+        &self,
+        positions: &[Vec<DVec3>],
+        surfaces: &[Vec<[u32; 3]>],
+        colliders: &[Collider],
+    ) -> Group {
         let [width, height] = self.size;
         let clip = ClipPath::new()
             .set("id", self.name.as_str())
             .add(Rectangle::new().set("width", px(width)).set("height", px(height)).set("rx", 6));
-        let mut content = Group::new().set("clip-path", format!("url(#{})", self.name)).add(
-            Rectangle::new().set("width", px(width)).set("height", px(height)).set("fill", "#f3f5f8"),
-        );
+        let mut content = Group::new()
+            .set("clip-path", format!("url(#{})", self.name))
+            .add(Rectangle::new().set("width", px(width)).set("height", px(height)).set("fill", "#f3f5f8"));
         for collider in colliders {
             if let Shape::Plane { normal, offset } = collider.shape {
                 content = self.ground(content, normal, offset, positions, surfaces);
@@ -183,9 +184,9 @@ impl Panel<'_> {
             }
         }
         let floor = Path::new().set("d", self.outline(&tile.corners()));
-        group = group
-            .add(floor.set("fill", "#e3e7ec").set("stroke", "#cdd3db"))
-            .add(Path::new().set("d", lines).set("stroke", "#ccd2da").set("stroke-width", 0.7).set("fill", "none"));
+        group = group.add(floor.set("fill", "#e3e7ec").set("stroke", "#cdd3db")).add(
+            Path::new().set("d", lines).set("stroke", "#ccd2da").set("stroke-width", 0.7).set("fill", "none"),
+        );
         if shadow.is_empty() {
             return group;
         }
@@ -202,8 +203,7 @@ impl Panel<'_> {
     }
 
     fn pixel(&self, p: DVec3) -> DVec2 {
-        let middle = (self.frame.low + self.frame.high) / 2.0;
-        let at = (self.camera.project(p) - middle) * self.scale;
+        let at = (self.camera.project(p) - self.frame.middle()) * self.scale;
         DVec2::new(self.size[0] / 2.0 + at.x, self.size[1] / 2.0 - at.y)
     }
 }

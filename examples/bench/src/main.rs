@@ -1,0 +1,123 @@
+//! Times femto's kernels on box meshes, as ratios to a block-CSR product of the same mesh in the
+//! same run, which mean the same on every machine and at every clock rate.
+//!
+//! ```text
+//! cargo run --release -p femto-bench [-- --quick] [--check]
+//! RUSTFLAGS="-C target-feature=+avx2" cargo run --release -p femto-bench
+//! ```
+//!
+//! `--quick` takes a few seconds; with `--check` the exit code is 1 where a target is missed.
+
+mod baseline;
+mod clock;
+mod csr;
+mod guard;
+mod kernels;
+mod mesh;
+mod report;
+
+use std::process::ExitCode;
+use std::time::Duration;
+
+use femto::element::{Dense, Factored};
+use femto::lane::{Lanes, Native};
+use nalgebra::Matrix3;
+use wide::{f32x4, f32x8};
+
+use baseline::Baseline;
+use clock::{Effort, Kernel};
+use csr::{BlockCsr, Element};
+use kernels::{Body, DENSE, FACTORED, kernels, polar};
+use mesh::{Scene, box_scene};
+use report::{Table, targets};
+
+const PLAIN: &str = "block-CSR product, plain";
+const IN_LANES: &str = "block-CSR product, in lanes";
+const REFILL: &str = "block-CSR refill";
+const SVD: &str = "polar, SVD (nalgebra)";
+const BASELINE: &str = "step Velocity, SVD + assembly + CSR";
+
+/// Cells along the edges: 0.4, 3, 25 and 80 thousand tetrahedra.
+const MESHES: [[u32; 3]; 4] = [[4, 4, 4], [8, 8, 8], [16, 16, 16], [24, 24, 23]];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(unknown) = arguments.iter().find(|a| !["--quick", "--check"].contains(&a.as_str())) {
+        eprintln!("unknown argument {unknown}; known are --quick and --check");
+        return ExitCode::from(2);
+    }
+    let given = |name: &str| arguments.iter().any(|argument| argument == name);
+    let effort = if given("--quick") {
+        Effort { rounds: 7, sample: Duration::from_micros(200) }
+    } else {
+        Effort { rounds: 40, sample: Duration::from_millis(1) }
+    };
+    let features = if cfg!(target_feature = "avx2") { "with AVX2" } else { "without AVX2" };
+    println!("built for {} {features}, native lanes: {}", std::env::consts::ARCH, Native::WIDTH);
+    let tables: Vec<Table> = MESHES.iter().map(|&cells| measure(&box_scene(cells), effort)).collect();
+    let met = targets(&tables);
+    if given("--check") && !met { ExitCode::FAILURE } else { ExitCode::SUCCESS }
+}
+
+/// Times everything on one mesh and prints it.
+fn measure(scene: &Scene, effort: Effort) -> Table {
+    let body = Body::<Factored>::new(scene);
+    let dense = Body::<Dense>::new(scene);
+    let operator = body.operator();
+    let elements = elements(&body, operator.stiffness);
+    let mut matrix = BlockCsr::new(scene.nodes.len(), &scene.tets);
+    matrix.refill(operator.rest.masses, operator.mass, &elements);
+    println!("\n{} tetrahedra, {} nodes", scene.tets.len(), scene.nodes.len());
+    guard::products(&body, &matrix);
+    if scene.tets.len() < 10_000 {
+        guard::steps(scene, &body);
+    }
+
+    let mut refilled = BlockCsr::new(scene.nodes.len(), &scene.tets);
+    let (mut plain, mut in_lanes) = (vec![[0.0; 3]; scene.nodes.len()], vec![[0.0; 3]; scene.nodes.len()]);
+    let rotations_only = Baseline::new(scene, &body);
+    let mut rotations = vec![Matrix3::identity(); scene.tets.len()];
+    let mut all = vec![
+        Kernel::new(PLAIN, 1, || matrix.product(&body.v, &mut plain)),
+        Kernel::new(IN_LANES, 1, || matrix.product_in_lanes(&body.v, &mut in_lanes)),
+        Kernel::new(REFILL, 1, || refilled.refill(operator.rest.masses, operator.mass, &elements)),
+        Kernel::new(SVD, 1, || rotations_only.rotations(&mut rotations)),
+        Kernel::after(BASELINE, 1, Baseline::new(scene, &body), |b| b.reset(scene), |b| b.step(5)),
+    ];
+    all.extend(of_width::<f32>(&body, &dense));
+    all.extend(of_width::<f32x4>(&body, &dense));
+    all.extend(of_width::<f32x8>(&body, &dense));
+    let seconds = clock::time(&mut all, effort);
+    let table = Table::new(scene.tets.len(), &all, &seconds);
+    table.print();
+    table
+}
+
+fn of_width<'a, R: Lanes + 'a>(body: &'a Body<Factored>, dense: &'a Body<Dense>) -> Vec<Kernel<'a>> {
+    let mut all = kernels::<R, Factored>(body, &FACTORED);
+    all.extend(kernels::<R, Dense>(dense, &DENSE));
+    all.extend(polar::<R, Factored>(body));
+    all
+}
+
+/// The rotated gradients, tetrahedron by tetrahedron, in the units of the operator.
+fn elements(body: &Body<Factored>, stiffness: f32) -> Vec<Element> {
+    let rest = body.rest.view();
+    let unit = rest.header.length_unit;
+    let tets = 0..rest.header.tets as usize;
+    tets.map(|tet| {
+        let (block, lane) = (&rest.blocks[tet / 8], tet % 8);
+        let q = femto::polar::matrix(&body.rotations[tet / 8].0.map(|component| component[lane]));
+        let g: [[f32; 3]; 3] = block.gradients.map(|g| {
+            let g = g.map(|axis| axis[lane]);
+            q.map(|row| unit * (row[0] * g[0] + row[1] * g[1] + row[2] * g[2]))
+        });
+        let first = [0, 1, 2].map(|axis| -(g[0][axis] + g[1][axis] + g[2][axis]));
+        Element {
+            gradients: [first, g[0], g[1], g[2]],
+            lambda: stiffness * block.lambda_v[lane],
+            mu: stiffness * block.mu_v[lane],
+        }
+    })
+    .collect()
+}
