@@ -113,6 +113,7 @@ pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) rotated: &'a mut [L::Rotated],
     pub(crate) filter: &'a mut [Sym3<f32>],
     pub(crate) blocks: &'a mut [Sym3<f32>],
+    pub(crate) inertia: &'a mut [f32],
     pub(crate) v: &'a mut [[f32; 3]],
     pub(crate) r: &'a mut [[f32; 3]],
     pub(crate) p: &'a mut [[f32; 3]],
@@ -131,7 +132,7 @@ pub const fn state_bytes(nodes: usize, blocks: usize, history: usize) -> usize {
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors)).
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
-    nodes * ((4 + 2 * vectors) * size_of::<[f32; 3]>() + 2 * size_of::<Sym3<f32>>())
+    nodes * ((4 + 2 * vectors) * size_of::<[f32; 3]>() + 2 * size_of::<Sym3<f32>>() + size_of::<f32>())
         + blocks * size_of::<L::Rotated>()
 }
 
@@ -242,6 +243,7 @@ pub struct Workspace<const NODES: usize, const BLOCKS: usize, const VECTORS: usi
     rotated: [L::Rotated; BLOCKS],
     filter: [Sym3<f32>; NODES],
     blocks: [Sym3<f32>; NODES],
+    inertia: [f32; NODES],
     vectors: [[[f32; 3]; NODES]; 4],
     space: [[[f32; 3]; NODES]; VECTORS],
     products: [[[f32; 3]; NODES]; VECTORS],
@@ -257,6 +259,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
             rotated: [const { L::ZERO_ROTATED }; BLOCKS],
             filter: [[0.0; 6]; NODES],
             blocks: [[0.0; 6]; NODES],
+            inertia: [0.0; NODES],
             vectors: [[[0.0; 3]; NODES]; 4],
             space: [[[0.0; 3]; NODES]; VECTORS],
             products: [[[0.0; 3]; NODES]; VECTORS],
@@ -273,6 +276,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
             rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
             filter: self.filter.get_mut(..nodes).unwrap_or_default(),
             blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
+            inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
             v: v.get_mut(..nodes).unwrap_or_default(),
             r: r.get_mut(..nodes).unwrap_or_default(),
             p: p.get_mut(..nodes).unwrap_or_default(),

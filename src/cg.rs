@@ -130,14 +130,25 @@ impl Space<'_> {
         if let Some(translations) = &self.translations {
             translations.project(v, r);
         }
-        if self.nodes == 0 {
-            return;
-        }
-        for (w, aw) in self.vectors.chunks_exact(self.nodes).zip(self.products.chunks_exact(self.nodes)) {
+        for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
             let c = dot(w, r);
             add_scaled(v, c, w);
             add_scaled(r, -c, aw);
         }
+    }
+
+    /// Galerkin over one more vector `g`, with its coefficient held between 0 and 1: v += τ g', r −= τ Ag'
+    /// where g' is g made A-orthogonal to the stored vectors. `g` and `ag` = A g are overwritten.
+    pub fn close_gap(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]], g: &mut [[f32; 3]], ag: &mut [[f32; 3]]) {
+        for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
+            let c = dot(aw, g);
+            add_scaled(g, -c, w);
+            add_scaled(ag, -c, aw);
+        }
+        let tau = ratio_or_zero(dot(g, r), dot(g, ag), 0.0);
+        let tau = select(tau > 0.0, select(tau < 1.0, tau, 1.0), 0.0);
+        add_scaled(v, tau, g);
+        add_scaled(r, -tau, ag);
     }
 
     /// Makes `z` A-orthogonal to W.
@@ -149,12 +160,19 @@ impl Space<'_> {
     }
 }
 
+/// The stored vectors with their products.
+fn pairs<'a>(
+    vectors: &'a [[f32; 3]],
+    products: &'a [[f32; 3]],
+    nodes: usize,
+) -> impl Iterator<Item = (&'a [[f32; 3]], &'a [[f32; 3]])> {
+    // A body has nodes; `max` only keeps a division by zero out of the binary.
+    vectors.chunks_exact(nodes.max(1)).zip(products.chunks_exact(nodes.max(1)))
+}
+
 /// z −= w_j (Aw_j·z)
 fn remove(vectors: &[[f32; 3]], products: &[[f32; 3]], nodes: usize, z: &mut [[f32; 3]]) {
-    if nodes == 0 {
-        return;
-    }
-    for (w, aw) in vectors.chunks_exact(nodes).zip(products.chunks_exact(nodes)) {
+    for (w, aw) in pairs(vectors, products, nodes) {
         let c = dot(aw, z);
         add_scaled(z, -c, w);
     }

@@ -5,23 +5,32 @@
 //! node's velocity is its *target* c_i. Free nodes pay the same, so the cost does not depend on who
 //! touches what.
 //!
-//! **Contact** is decided before the solve, in one pass over nodes and colliders, from the right-hand
-//! side b = M v + h f: w_i = b_i/m_i is the velocity that node i would take by itself. With signed
-//! distance d, normal n, and the surface's velocity s,
+//! **Contact** is decided before the solve, in one pass over nodes and colliders. Node i, its
+//! neighbours moving along with it, would take the velocity w = v + h f/a with a = tr(A_ii)/3: one
+//! node's row of A v⁺ = b. With signed distance d, normal n, and the surface's velocity s,
 //!
 //! ```text
-//! N = −(w − s)·n − d/h          impulse (over m_i) that would keep the node out
-//! active:  N > 0, and either touching (d ≤ margin) or bound to touch: d + h (v − s + h g)·n < 0
-//! normal target:  c·n = s·n − d/h
-//! |w_t − s_t| < μN: it sticks, c_t = s_t;   else it slides and −μN (w_t − s_t)/|w_t − s_t| acts on it
+//! N = −(w − s)·n − d/h          impulse (over a) that would keep the node out
+//! active:  N > 0, and d ≤ margin or d + h (v − s + h g)·n < 0;   or d > margin and d + h (v − s)·n < 0
+//! it moves with the surface, c·n = s·n, and closes the gap: c_gap·n = −τ max(d, 0)/h with 0 ≤ τ ≤ 1
+//! |w_t − s_t| ≤ μN: it sticks, c_t = s_t
+//! else it slides:     −γ (v⁺_t − s_t) acts on it, γ = aμN / (|w_t − s_t| − μN)
 //! ```
+//!
+//! The node by itself would slide at v⁺_t − s_t = (w_t − s_t)(1 − μN/|w_t − s_t|), so that γ is Coulomb's
+//! friction made implicit: in steady sliding it is exactly aμN, it cannot turn the motion round, and
+//! as sliding ends it passes over into sticking. γ is a node's share of A's diagonal.
 //!
 //! In a body at rest or in steady sliding, h f holds what the constraint held in the step before, so
 //! N is that step's constraint impulse: Coulomb's law is exact there without any memory, a node
 //! that is pulled (N < 0) is released at the next step, and a state needs no contact history.
 //!
+//! τ is one number for the body, and belongs to the Galerkin solution: nodes that were told to reach the
+//! surface (τ = 1) while a truncated solve stops the rest of the body would store energy that was
+//! never there.
+//!
 //! Nodes that the solve moves into a surface nevertheless are put back on it after it ([`land`]),
-//! so no node ends a step inside: up to rounding of its coordinates for one collider, for several
+//! and so are nodes that start a step inside, so no node ends a step inside: up to rounding of its coordinates for one collider, for several
 //! up to what their correction in turn leaves where they meet at an acute angle.
 
 use glam::Vec3;
@@ -55,6 +64,9 @@ const HELD: Sym3<f32> = [0.0; 6];
 /// A node counts as touching within this part of the body's length unit.
 const TOUCHING: f32 = 1.0 / 4096.0;
 
+/// A node whose sliding would lose all but this part of its speed in one step sticks.
+const STUCK: f32 = 1e-3;
+
 /// What contact needs to know of a body and its step. SI units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ContactStep<'a> {
@@ -64,8 +76,9 @@ pub(crate) struct ContactStep<'a> {
     pub gravity: Vec3,
     pub dt: f32,
     pub length_unit: f32,
-    /// Impulse of one unit of the right-hand side, N·s.
-    pub impulse_unit: f32,
+    pub mass_unit: f32,
+    /// Velocity of which one mass unit's momentum is one unit of the right-hand side, m/s.
+    pub velocity_unit: f32,
 }
 
 /// Holds the pinned nodes: P = 0 there, and their velocity (m/s) is the target.
@@ -81,43 +94,74 @@ pub(crate) fn pin(pins: &[Pin], filter: &mut [Sym3<f32>], targets: &mut [[f32; 3
     }
 }
 
-/// Decides who is in contact and who slides; friction goes to `rhs`. Returns the number of contacts.
-pub(crate) fn touch(
-    colliders: &[Collider],
-    step: &ContactStep<'_>,
-    rhs: &mut [[f32; 3]],
-    filter: &mut [Sym3<f32>],
-    targets: &mut [[f32; 3]],
-) -> u32 {
+/// What contact decides, node by node.
+#[derive(Debug)]
+pub(crate) struct Decisions<'a> {
+    /// b; sliding on a moving surface adds γs.
+    pub rhs: &'a mut [[f32; 3]],
+    /// The diagonal blocks of A, and its scalar part; friction adds γ to both.
+    pub diagonal: &'a mut [Sym3<f32>],
+    pub inertia: &'a mut [f32],
+    /// P
+    pub filter: &'a mut [Sym3<f32>],
+    /// c, m/s
+    pub targets: &'a mut [[f32; 3]],
+    /// c_gap for τ = 1, m/s
+    pub gaps: &'a mut [[f32; 3]],
+}
+
+/// Decides who is in contact and who slides. Returns the number of contacts.
+pub(crate) fn touch(colliders: &[Collider], step: &ContactStep<'_>, out: &mut Decisions<'_>) -> u32 {
     let margin = TOUCHING * step.length_unit;
     let per_dt = 1.0 / step.dt;
     let mut contacts = 0;
-    let nodes = rhs.iter_mut().zip(filter).zip(targets).zip(step.masses).zip(step.x).zip(step.v);
-    for (((((rhs, p), c), &mass), &x), &v) in nodes {
-        let (x, v) = (Vec3::from_array(x), Vec3::from_array(v));
-        let to_impulse = mass / step.impulse_unit;
+    let per_unit = 1.0 / step.velocity_unit;
+    let body = step.masses.iter().zip(step.x).zip(step.v);
+    let system = out.rhs.iter_mut().zip(&mut *out.diagonal).zip(&mut *out.inertia);
+    let constraint = out.filter.iter_mut().zip(&mut *out.targets).zip(&mut *out.gaps);
+    for ((((mass, x), v), ((rhs, diagonal), inertia)), ((p, c), gap)) in body.zip(system).zip(constraint) {
+        let (x, v) = (Vec3::from_array(*x), Vec3::from_array(*v));
+        let a = (diagonal[0] + diagonal[3] + diagonal[5]) * (1.0 / 3.0);
+        let push = Vec3::from_array(*rhs) - v * (mass / step.mass_unit * per_unit); // h f
+        let w = v + push * (step.velocity_unit / a);
+        *gap = [0.0; 3];
         for collider in colliders {
             let (d, n) = collider.distance(x);
-            let w = Vec3::from_array(*rhs) / to_impulse - collider.velocity();
-            let push = -(w.dot(n) + d * per_dt); // N
-            let meeting = d + step.dt * (v - collider.velocity() + step.gravity * step.dt).dot(n) < 0.0;
+            let s = collider.velocity();
+            let keep = -((w - s).dot(n) + d * per_dt); // N
+            let approach = d + step.dt * (v - s).dot(n);
+            let fall = approach + step.dt * step.dt * step.gravity.dot(n);
+            let meets = (d > margin) & (approach < 0.0);
+            let pressed = (keep > 0.0) & ((d <= margin) | (fall < 0.0));
             // What earlier constraints leave of the normal.
             let free = sym_mul(p, &n.to_array());
             let share = n.dot(Vec3::from_array(free));
-            let active = (push > 0.0) & ((d <= margin) | meeting) & (share > 1e-3);
+            let active = (meets | pressed) & (share > 1e-3);
             contacts += u32::from(active);
-            constrain(active, p, c, &free, share, n, collider.velocity().dot(n) - d * per_dt);
-
-            let slip = sym_mul(p, &w.to_array()); // w_t − s_t
-            let speed = sqrt(slip[0] * slip[0] + slip[1] * slip[1] + slip[2] * slip[2]);
-            let grip = collider.friction() * push; // μN
-            let sticks = active & (speed < grip);
-            let slides = active & !(speed < grip);
-            let rub = select(slides, to_impulse * ratio_or_zero(grip, speed, 0.0), 0.0);
-            for axis in 0..3 {
-                rhs[axis] -= rub * slip[axis];
+            let open = select(d > 0.0, -(d * per_dt), 0.0);
+            target(active, c, &free, share, n, s.dot(n));
+            target(active, gap, &free, share, n, open);
+            let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
+            for (entry, product) in p.iter_mut().zip(outer(&free)) {
+                *entry -= inverse * product;
             }
-            let s = collider.velocity().to_array();
+
+            let slip = sym_mul(p, &(w - s).to_array()); // w_t − s_t
+            let speed = sqrt(slip[0] * slip[0] + slip[1] * slip[1] + slip[2] * slip[2]);
+            let grip = collider.friction() * select(keep > 0.0, keep, 0.0); // μN
+            let left = speed - grip;
+            let slides = active & (left > STUCK * speed);
+            let gamma = select(slides, a * ratio_or_zero(grip, left, 0.0), 0.0);
+            *inertia += gamma;
+            for (entry, one) in diagonal.iter_mut().zip(FREE) {
+                *entry += gamma * one;
+            }
+            let s_t = sym_mul(p, &s.to_array());
+            for axis in 0..3 {
+                rhs[axis] += gamma * s_t[axis] * per_unit;
+            }
+            let sticks = active & !slides & (collider.friction() > 0.0);
+            let s = s.to_array();
             let hold = sym_mul(p, &[s[0] - c[0], s[1] - c[1], s[2] - c[2]]);
             *c = select3(sticks, [c[0] + hold[0], c[1] + hold[1], c[2] + hold[2]], *c);
             for entry in p.iter_mut() {
@@ -128,44 +172,39 @@ pub(crate) fn touch(
     contacts
 }
 
-/// If `active`: c·n = target from now on, and P loses the direction `free` = P n (n·P n = `share`).
+/// If `active`: c·n = speed from now on, along `free` = P n (n·P n = `share`).
 #[inline]
-fn constrain(
-    active: bool,
-    p: &mut Sym3<f32>,
-    c: &mut [f32; 3],
-    free: &[f32; 3],
-    share: f32,
-    n: Vec3,
-    target: f32,
-) {
-    let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
-    let missing = (target - n.dot(Vec3::from_array(*c))) * inverse;
-    *c = select3(active, [c[0] + missing * free[0], c[1] + missing * free[1], c[2] + missing * free[2]], *c);
-    let [x, y, z] = *free;
-    let outer = [x * x, x * y, x * z, y * y, y * z, z * z];
-    for (entry, product) in p.iter_mut().zip(outer) {
-        *entry -= inverse * product;
-    }
+fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, speed: f32) {
+    let missing = select(active, ratio_or_zero(1.0, share, 0.0) * (speed - n.dot(Vec3::from_array(*c))), 0.0);
+    *c = core::array::from_fn(|axis| c[axis] + missing * free[axis]);
 }
 
-/// Puts one node back on every collider that it would enter, and takes the speed of entering from
-/// it. A node that started the step inside leaves it without the speed of being pushed out.
+/// u uᵀ
+#[inline]
+fn outer(&[x, y, z]: &[f32; 3]) -> Sym3<f32> {
+    [x * x, x * y, x * z, y * y, y * z, z * z]
+}
+
+/// Puts one node back on every collider that it would enter, where the collider will be after `dt`,
+/// and takes the speed of entering from it. A node that started the step inside leaves it without the
+/// speed of being pushed out.
 pub(crate) fn land(
     colliders: &[Collider],
-    margin_unit: f32,
+    dt: f32,
+    length_unit: f32,
     x_old: &[f32; 3],
     x: &mut [f32; 3],
     v: &mut [f32; 3],
 ) {
-    let margin = TOUCHING * margin_unit;
+    let margin = TOUCHING * length_unit;
     for collider in colliders {
+        let s = collider.velocity();
         let was_inside = collider.distance(Vec3::from_array(*x_old)).0 < -margin;
         let (mut at, mut speed) = (Vec3::from_array(*x), Vec3::from_array(*v));
-        let (d, n) = collider.distance(at);
+        let (d, n) = collider.distance(at - s * dt);
         let enters = d < 0.0;
         at -= n * select(enters, d, 0.0);
-        let normal_speed = (speed - collider.velocity()).dot(n);
+        let normal_speed = (speed - s).dot(n);
         let stop = (enters & (normal_speed < 0.0)) | (was_inside & (normal_speed > 0.0));
         speed -= n * select(stop, normal_speed, 0.0);
         (*x, *v) = (at.to_array(), speed.to_array());

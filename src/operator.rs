@@ -1,7 +1,8 @@
 //! The system matrix, never assembled: gather, element product, scatter-add.
 //!
-//! A = c_M M + c_K K in the body's units, with c_M and c_K from the time step
-//! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ).
+//! A = c_M M + c_K K + Γ in the body's units, with c_M and c_K from the time step
+//! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ), and a diagonal Γ
+//! from sliding friction.
 
 use crate::element::{Bite, Layout, Sym3, deformation, edges, gradients};
 use crate::lane::{BLOCK, Lanes};
@@ -30,15 +31,15 @@ impl RotationBlock {
     }
 }
 
-/// c_M M + c_K K, applied matrix-free.
+/// A, applied matrix-free.
 #[derive(Debug)]
 pub struct Operator<'a, L: Layout> {
     /// Rest data of the body.
     pub rest: Rest<'a, L>,
     /// The rotated stiffness of this step, one a block of tetrahedra.
     pub rotated: &'a [L::Rotated],
-    /// c_M, per mass unit.
-    pub mass: f32,
+    /// c_M m_i + γ_i of every node, per mass unit.
+    pub inertia: &'a [f32],
     /// c_K, per mass unit and squared length unit.
     pub stiffness: f32,
 }
@@ -54,10 +55,14 @@ impl<L: Layout> Copy for Operator<'_, L> {}
 impl<L: Layout> Operator<'_, L> {
     /// `out` = A u
     pub fn apply<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
-        for ((out, u), m) in out.iter_mut().zip(u).zip(self.rest.masses) {
-            let m = self.mass * m;
+        for ((out, u), m) in out.iter_mut().zip(u).zip(self.inertia) {
             *out = [m * u[0], m * u[1], m * u[2]];
         }
+        self.add_stiffness::<R>(u, out);
+    }
+
+    /// `out` += c_K K u
+    pub fn add_stiffness<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         let scale = R::splat(self.stiffness);
         for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
             let mut at = 0;
@@ -70,10 +75,9 @@ impl<L: Layout> Operator<'_, L> {
         }
     }
 
-    /// Adds the 3×3 diagonal blocks of c_K K to `out`, and c_M M.
+    /// Writes the 3×3 diagonal blocks of A.
     pub fn diagonal<R: Lanes>(&self, out: &mut [Sym3<f32>]) {
-        for (out, m) in out.iter_mut().zip(self.rest.masses) {
-            let m = self.mass * m;
+        for (out, &m) in out.iter_mut().zip(self.inertia) {
             *out = [m, 0.0, 0.0, m, 0.0, m];
         }
         let scale = R::splat(self.stiffness);

@@ -3,10 +3,8 @@
 //! All four are one symmetric 3×3 block B_i per node, with the filter on both sides: z_i = P_i B_i P_i r_i.
 //! So they share one buffer and one loop, and the choice between them costs nothing in the iteration.
 
-use crate::element::{Layout, Sym3};
-use crate::lane::Lanes;
+use crate::element::Sym3;
 use crate::math::{ratio_or_zero, select};
-use crate::operator::Operator;
 
 /// The block B_i of node i.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +12,7 @@ use crate::operator::Operator;
 pub enum Preconditioner {
     /// The identity.
     Identity,
-    /// The inverse of the lumped mass.
+    /// The inverse of the lumped mass (and of what damps and rubs at the node).
     Mass,
     /// The inverse of A's diagonal.
     #[default]
@@ -24,40 +22,28 @@ pub enum Preconditioner {
 }
 
 impl Preconditioner {
-    /// Writes P_i B_i P_i for every node.
-    pub(crate) fn prepare<R: Lanes, L: Layout>(
-        self,
-        operator: &Operator<'_, L>,
-        filter: &[Sym3<f32>],
-        blocks: &mut [Sym3<f32>],
-    ) {
-        match self {
-            Self::Identity => {
-                // Of the size of A, so that every preconditioner's residuals mean the same.
-                blocks.fill([1.0, 0.0, 0.0, 1.0, 0.0, 1.0]);
-            }
-            Self::Mass => {
-                for (block, m) in blocks.iter_mut().zip(operator.rest.masses) {
-                    let inverse = 1.0 / (operator.mass * m);
-                    *block = [inverse, 0.0, 0.0, inverse, 0.0, inverse];
+    /// Whether [`Self::prepare`] reads the diagonal blocks of A.
+    pub(crate) fn needs_diagonal(self) -> bool {
+        matches!(self, Self::Jacobi | Self::BlockJacobi)
+    }
+
+    /// Writes P_i B_i P_i for every node, over the diagonal blocks of A.
+    pub(crate) fn prepare(self, inertia: &[f32], filter: &[Sym3<f32>], blocks: &mut [Sym3<f32>]) {
+        for ((block, p), m) in blocks.iter_mut().zip(filter).zip(inertia) {
+            let diagonal = |x: f32, y: f32, z: f32| [x, 0.0, 0.0, y, 0.0, z];
+            let local = match self {
+                Self::Identity => diagonal(1.0, 1.0, 1.0),
+                Self::Mass => {
+                    let inverse = 1.0 / m;
+                    diagonal(inverse, inverse, inverse)
                 }
-            }
-            Self::Jacobi => {
-                operator.diagonal::<R>(blocks);
-                for block in blocks.iter_mut() {
+                Self::Jacobi => {
                     let inverse = |x: f32| ratio_or_zero(1.0, x, 0.0);
-                    *block = [inverse(block[0]), 0.0, 0.0, inverse(block[3]), 0.0, inverse(block[5])];
+                    diagonal(inverse(block[0]), inverse(block[3]), inverse(block[5]))
                 }
-            }
-            Self::BlockJacobi => {
-                operator.diagonal::<R>(blocks);
-                for block in blocks.iter_mut() {
-                    *block = inverse(block);
-                }
-            }
-        }
-        for (block, p) in blocks.iter_mut().zip(filter) {
-            *block = sandwich(p, block);
+                Self::BlockJacobi => inverse(block),
+            };
+            *block = sandwich(p, &local);
         }
     }
 }

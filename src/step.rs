@@ -26,7 +26,7 @@ use glam::Vec3;
 use crate::body::{StateMut, WorkspaceMut};
 use crate::cg::{self, Space, System, Translations};
 use crate::collider::Collider;
-use crate::constraint::{ContactStep, Pin, land, pin, touch};
+use crate::constraint::{ContactStep, Decisions, Pin, land, pin, touch};
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
 use crate::math::{power_of_two_below, select, sqrt};
@@ -48,6 +48,14 @@ pub struct Scene<'a> {
     pub colliders: &'a [Collider],
 }
 
+impl Scene<'_> {
+    /// Whether anything in it has a velocity of its own.
+    fn moves(&self) -> bool {
+        self.pins.iter().any(|pin| pin.velocity != Vec3::ZERO)
+            || self.colliders.iter().any(|collider| collider.velocity() != Vec3::ZERO)
+    }
+}
+
 /// Why a step was refused. The state is as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -57,6 +65,9 @@ pub enum Refusal {
         /// The first such node.
         node: u32,
     },
+    /// Positions would have stayed finite, but the squares of the step's forces or residuals leave the
+    /// range of f32, so that it could not be solved.
+    OutOfRange,
     /// This pin names a node that the body does not have.
     Pin {
         /// Its place in [`Scene::pins`].
@@ -76,6 +87,7 @@ impl core::fmt::Display for Refusal {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::NonFinite { node } => write!(f, "node {node} would have become non-finite"),
+            Self::OutOfRange => f.write_str("forces or velocities are too large to be squared in f32"),
             Self::Pin { pin } => write!(f, "pin {pin} names a node that does not exist"),
             Self::Forces => f.write_str("the list of forces is not as long as the body has nodes"),
             Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
@@ -208,6 +220,15 @@ pub fn step<R: Lanes, L: Layout>(
     external_impulses(rest, state, scene, &units, work.r);
     rotate::<R, L>(rest, state.x, state.rotations, units.dt / units.impulse, work.rotated, work.r);
 
+    let [mass, stiffness] = units.system;
+    for (inertia, m) in work.inertia.iter_mut().zip(rest.masses) {
+        *inertia = mass * m;
+    }
+    if settings.preconditioner.needs_diagonal() || !scene.colliders.is_empty() {
+        Operator { rest: *rest, rotated: &*work.rotated, inertia: &*work.inertia, stiffness }
+            .diagonal::<R>(work.blocks);
+    }
+
     // Who is held, who touches, who slides; targets c in m/s.
     pin(scene.pins, work.filter, work.v);
     let contact = ContactStep {
@@ -217,46 +238,46 @@ pub fn step<R: Lanes, L: Layout>(
         gravity: scene.gravity,
         dt: units.dt,
         length_unit: rest.header.length_unit,
-        impulse_unit: units.impulse,
+        mass_unit: units.mass,
+        velocity_unit: units.velocity,
     };
-    let contacts = touch(scene.colliders, &contact, work.r, work.filter, work.v);
-    for c in work.v.as_flattened_mut() {
+    let mut decisions = Decisions {
+        rhs: &mut *work.r,
+        diagonal: &mut *work.blocks,
+        inertia: &mut *work.inertia,
+        filter: &mut *work.filter,
+        targets: &mut *work.v,
+        gaps: &mut *work.p,
+    };
+    let contacts = touch(scene.colliders, &contact, &mut decisions);
+    for c in work.v.as_flattened_mut().iter_mut().chain(work.p.as_flattened_mut()) {
         *c /= units.velocity;
     }
-
-    let [mass, stiffness] = units.system;
-    let operator = Operator { rest: *rest, rotated: &*work.rotated, mass, stiffness };
-    settings.preconditioner.prepare::<R, L>(&operator, work.filter, work.blocks);
+    settings.preconditioner.prepare(work.inertia, work.filter, work.blocks);
+    let operator = Operator { rest: *rest, rotated: &*work.rotated, inertia: &*work.inertia, stiffness };
     let system = Filtered::<L, R> { operator, blocks: &*work.blocks, lanes: core::marker::PhantomData };
 
-    // The start v₀ in place of its constrained part c, and the bracket.
+    // The start v₀ in place of its constrained part c; then the bracket, with c in v(t).
     if units.theta < 1.0 {
-        constrained_velocity(state.v, work.filter, work.v, &units, work.p);
-        let [mass, stiffness] = units.bracket;
-        Operator { mass, stiffness, ..operator }.apply::<R>(work.p, work.q);
+        work.q.copy_from_slice(work.v);
+        add_free(state.v, work.filter, &units, work.q);
     }
     match settings.start {
-        Start::Velocity => {
-            constrained_velocity(state.v, work.filter, work.v, &units, work.p);
-            work.v.copy_from_slice(work.p);
-        }
-        Start::VelocityForce => {
-            // M⁻¹b = v + hM⁻¹f
-            let nodes = work.v.iter_mut().zip(&*work.r).zip(&*work.filter).zip(rest.masses);
-            for (((v, r), p), m) in nodes {
-                let guess = sym_mul(p, &r.map(|r| r * (units.mass / m)));
-                *v = core::array::from_fn(|a| v[a] + guess[a]);
-            }
-        }
+        Start::Velocity => add_free(state.v, work.filter, &units, work.v),
+        Start::VelocityForce => add_explicit(rest, work.r, work.filter, &units, work.v),
         Start::Zero | Start::Galerkin(_) | Start::Rigid(_) => {}
     }
     if units.theta < 1.0 {
-        add_scaled(work.r, 1.0, work.q);
+        let [mass, stiffness] = units.bracket;
+        for ((r, v), m) in work.r.iter_mut().zip(&*work.q).zip(rest.masses) {
+            *r = core::array::from_fn(|a| r[a] + mass * m * v[a]);
+        }
+        Operator { stiffness, ..operator }.add_stiffness::<R>(work.q, work.r);
     }
     let rhs = filtered_norm(work.filter, work.r);
     let mut rhs_square = squared(&system, work.r, work.q);
-    let guessed = !settings.start.is_augmented() && settings.start != Start::Zero;
-    if guessed || !scene.colliders.is_empty() || scene.pins.iter().any(|pin| pin.velocity != Vec3::ZERO) {
+    let guessed = matches!(settings.start, Start::Velocity | Start::VelocityForce);
+    if guessed || scene.moves() {
         system.apply(work.v, work.q);
         add_scaled(work.r, -1.0, work.q);
         let moved = squared(&system, work.r, work.q);
@@ -268,7 +289,7 @@ pub fn step<R: Lanes, L: Layout>(
     let free = may_be_free & (contacts == 0);
     let per_mass = select(free, 1.0 / rest.header.total_mass, 0.0);
     let translations =
-        may_be_free.then_some(Translations { masses: rest.masses, mass_factor: operator.mass, per_mass });
+        may_be_free.then_some(Translations { masses: rest.masses, mass_factor: mass, per_mass });
     let stored = settings.start.vectors() * nodes;
     fill_space(rest, state, scene, settings.start, &units, work.filter, work.vectors);
     let mut space = Space {
@@ -279,6 +300,10 @@ pub fn step<R: Lanes, L: Layout>(
     };
     space.orthonormalise(&system);
     space.project(work.v, work.r);
+    if !scene.colliders.is_empty() {
+        system.apply(work.p, work.q);
+        space.close_gap(work.v, work.r, work.p, work.q);
+    }
     let residual_before = filtered_norm(work.filter, work.r);
 
     let updates = cg::solve(
@@ -297,6 +322,9 @@ pub fn step<R: Lanes, L: Layout>(
     }
     if let Some(node) = advance(rest, state, scene, &units, work) {
         return StepReport::refused(Refusal::NonFinite { node });
+    }
+    if !(rhs.is_finite() & residual_before.is_finite() & residual_after.is_finite()) {
+        return StepReport::refused(Refusal::OutOfRange);
     }
     commit(state, work);
     fit_rotations::<R, L>(rest, state.x, Fit::Warm(settings.budget.polar_sweeps), state.rotations);
@@ -318,7 +346,14 @@ fn check<L: Layout>(
     settings: &Settings,
 ) -> Result<(), Refusal> {
     let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
-    let node_lists = [rest.masses.len(), state.x.len(), state.v.len(), work.filter.len(), work.blocks.len()];
+    let node_lists = [
+        rest.masses.len(),
+        state.x.len(),
+        state.v.len(),
+        work.filter.len(),
+        work.blocks.len(),
+        work.inertia.len(),
+    ];
     let vectors = [work.v.len(), work.r.len(), work.p.len(), work.q.len()];
     let block_lists = [rest.stiffness.len(), state.rotations.len(), work.rotated.len()];
     if nodes == 0
@@ -362,18 +397,26 @@ fn external_impulses<L: Layout>(
     }
 }
 
-/// `out` = P v(t)/v₀ + c
-fn constrained_velocity(
-    v: &[[f32; 3]],
+/// `out` += P v(t), over the velocity unit
+fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32; 3]]) {
+    let per_unit = 1.0 / units.velocity;
+    for ((out, v), p) in out.iter_mut().zip(v).zip(filter) {
+        let free = sym_mul(p, v);
+        *out = core::array::from_fn(|a| out[a] + free[a] * per_unit);
+    }
+}
+
+/// `out` += P M⁻¹b, where M⁻¹b = v + hM⁻¹f
+fn add_explicit<L: Layout>(
+    rest: &Rest<'_, L>,
+    rhs: &[[f32; 3]],
     filter: &[Sym3<f32>],
-    targets: &[[f32; 3]],
     units: &Units,
     out: &mut [[f32; 3]],
 ) {
-    let per_unit = 1.0 / units.velocity;
-    for (((out, v), p), c) in out.iter_mut().zip(v).zip(filter).zip(targets) {
-        let free = sym_mul(p, v);
-        *out = core::array::from_fn(|a| free[a] * per_unit + c[a]);
+    for (((out, b), p), m) in out.iter_mut().zip(rhs).zip(filter).zip(rest.masses) {
+        let free = sym_mul(p, b);
+        *out = core::array::from_fn(|a| out[a] + free[a] * (units.mass / m));
     }
 }
 
@@ -492,16 +535,28 @@ fn advance<L: Layout>(
     work: &mut WorkspaceMut<'_, L>,
 ) -> Option<u32> {
     let (h, theta) = (units.dt, units.theta);
-    let mut first = None;
     let old = state.x.iter().zip(&*state.v).zip(&*work.filter);
     let new = work.p.iter_mut().zip(&mut *work.v);
-    for (node, (((x, v), p), (x_new, v_new))) in (0_u32..).zip(old.zip(new)) {
+    for (((x, v), p), (x_new, v_new)) in old.zip(new) {
         *v_new = v_new.map(|v| v * units.velocity);
         // The constrained part of v(t) is that of v⁺.
         let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
         *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
-        land(scene.colliders, rest.header.length_unit, x, x_new, v_new);
-        let finite = x_new.iter().chain(v_new.iter()).all(|c| c.is_finite());
+        land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
+    }
+    // Pins go where they are told, whatever is in the way.
+    for pin in scene.pins {
+        let node = pin.node as usize;
+        if let (Some(x), Some(x_new), Some(v_new)) =
+            (state.x.get(node), work.p.get_mut(node), work.v.get_mut(node))
+        {
+            *v_new = pin.velocity.to_array();
+            *x_new = core::array::from_fn(|a| x[a] + h * v_new[a]);
+        }
+    }
+    let mut first = None;
+    for (node, (x, v)) in (0_u32..).zip(work.p.iter().zip(&*work.v)) {
+        let finite = x.iter().chain(v).all(|c| c.is_finite());
         if !finite && first.is_none() {
             first = Some(node);
         }

@@ -24,6 +24,8 @@ const MARGIN: f64 = 24.0;
 const GAP: f64 = 10.0;
 /// Around the bodies in a panel.
 const PADDING: f64 = 18.0;
+/// A panel's width, where there are few.
+const WIDEST: f64 = 480.0;
 const HEAD: f64 = 58.0;
 const CHART_HEIGHT: f64 = 330.0;
 const FONT: &str = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
@@ -109,9 +111,9 @@ impl<'a> Preview<'a> {
 
     pub fn draw(&self, energy: &EnergyLog, refused: bool) -> String {
         let camera = Camera::new(DVec3::from(self.scene.gravity.map(f64::from)));
-        let views = self.views(&camera);
+        let (views, follows) = self.views(&camera);
         let count = self.moments.len().max(1) as f64;
-        let width = (WIDTH - 2.0 * MARGIN - GAP * (count - 1.0)) / count;
+        let width = ((WIDTH - 2.0 * MARGIN - GAP * (count - 1.0)) / count).min(WIDEST);
         let needed = views.iter().map(|(_, frame)| frame.size()).fold(DVec2::ZERO, DVec2::max);
         // One scale for all; panels are as high as the motion is, within reason.
         let inner = width - 2.0 * PADDING;
@@ -128,7 +130,7 @@ impl<'a> Preview<'a> {
             .add(Style::new(panel::style(&BODIES, &SOLID)))
             .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", "#ffffff"))
             .add(text(&self.scene.file, MARGIN, 30.0, 20.0, "#1d2733").set("font-weight", "bold"))
-            .add(text(&self.subtitle(refused), MARGIN, 49.0, 13.0, "#5b6673"));
+            .add(text(&self.subtitle(follows, refused), MARGIN, 49.0, 13.0, "#5b6673"));
         for (i, (moment, (window, frame))) in self.moments.iter().zip(&views).enumerate() {
             let left = MARGIN + i as f64 * (width + GAP);
             let panel = Panel {
@@ -155,7 +157,7 @@ impl<'a> Preview<'a> {
         document.to_string()
     }
 
-    fn subtitle(&self, refused: bool) -> String {
+    fn subtitle(&self, follows: bool, refused: bool) -> String {
         let scene = self.scene;
         let nodes: usize = scene.bodies.iter().map(|b| b.rest.len()).sum();
         let tets: usize = scene.bodies.iter().map(|b| b.tets.len()).sum();
@@ -170,6 +172,9 @@ impl<'a> Preview<'a> {
             scene.solver.preconditioner,
             scene.solver.start
         );
+        if follows {
+            line += " · each view follows the bodies";
+        }
         if refused {
             line += " · ended by a refused step";
         }
@@ -177,8 +182,8 @@ impl<'a> Preview<'a> {
     }
 
     /// What each panel shows: all the same part of space, or, where the bodies travel much
-    /// farther than they are long, each its own.
-    fn views(&self, camera: &Camera) -> Vec<(Bounds, Frame)> {
+    /// farther than they are long, each its own (then the second value is true).
+    fn views(&self, camera: &Camera) -> (Vec<(Bounds, Frame)>, bool) {
         let points: Vec<Vec<DVec3>> = self.moments.iter().map(|m| m.positions.concat()).collect();
         let each: Vec<Bounds> = points.iter().map(|p| Bounds::of(p.iter())).collect();
         let largest = each.iter().map(Bounds::diagonal).fold(0.0, f64::max);
@@ -187,12 +192,12 @@ impl<'a> Preview<'a> {
         if all.diagonal() <= 4.0 * largest {
             let colliders: Vec<Collider> = colliders.flatten().collect();
             let frame = camera.frame(&points.concat(), &all, &colliders);
-            return vec![(all, frame); each.len()];
+            return (vec![(all, frame); each.len()], false);
         }
         let own = |((points, window), colliders): ((&Vec<DVec3>, &Bounds), Vec<Collider>)| {
             (*window, camera.frame(points, window, &colliders))
         };
-        points.iter().zip(&each).zip(colliders).map(own).collect()
+        (points.iter().zip(&each).zip(colliders).map(own).collect(), true)
     }
 
     fn colliders_at(&self, time: f64) -> Vec<Collider> {
@@ -217,7 +222,9 @@ fn trim(value: f64) -> String {
     }
     let digits = (3 - libm::floor(libm::log10(value.abs())) as i32).clamp(0, 9);
     if !(1e-6..1e7).contains(&value.abs()) {
-        return format!("{value:.3e}");
+        let text = format!("{value:.2e}");
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", mantissa.trim_end_matches('0').trim_end_matches('.'));
     }
     let text = format!("{value:.*}", digits as usize);
     match text.contains('.') {
@@ -236,7 +243,8 @@ mod tests {
         assert_eq!(trim(0.5), "0.5");
         assert_eq!(trim(2.0), "2");
         assert_eq!(trim(1234567.0), "1234567");
-        assert_eq!(trim(1e-9), "1.000e-9");
+        assert_eq!(trim(1e-9), "1e-9");
+        assert_eq!(trim(-1.25e60), "-1.25e60");
         assert_eq!(trim(0.0), "0");
     }
 

@@ -78,8 +78,9 @@ impl Camera {
         for collider in colliders {
             match collider.shape {
                 Shape::Plane { normal, offset } => {
-                    if let Some(tile) = self.tile(window, normal, offset) {
-                        needed.extend(points.iter().map(|&p| self.project(tile.under(p))));
+                    if self.tile(window, normal, offset).is_some() {
+                        let shadow = points.iter().filter_map(|&p| self.fall(p, normal, offset));
+                        needed.extend(shadow.map(|p| self.project(p)));
                     }
                 }
                 Shape::Sphere { centre, radius } => {
@@ -91,6 +92,12 @@ impl Camera {
             }
         }
         Frame::of(needed.into_iter())
+    }
+
+    /// Where a point falls on a plane, unless that is too steep to catch shadows.
+    pub fn fall(&self, p: DVec3, normal: DVec3, offset: f64) -> Option<DVec3> {
+        let slope = normal.dot(self.vertical);
+        (slope > 0.1).then(|| p - self.vertical * ((normal.dot(p) - offset) / slope))
     }
 
     /// The piece of a plane that lies under a window, when it is near and seen from above.
@@ -127,11 +134,6 @@ pub struct Tile {
 impl Tile {
     fn at(&self, u: f64, v: f64) -> DVec3 {
         self.normal * self.offset + self.u * u + self.v * v
-    }
-
-    /// The nearest point of the plane.
-    fn under(&self, p: DVec3) -> DVec3 {
-        p - self.normal * (self.normal.dot(p) - self.offset)
     }
 
     pub fn corners(&self) -> [DVec3; 4] {

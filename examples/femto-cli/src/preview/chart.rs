@@ -58,7 +58,7 @@ fn draw(
         .margin_top(px(30.0))
         .margin_right(px(12.0))
         .x_label_area_size(px(42.0))
-        .y_label_area_size(px(62.0))
+        .y_label_area_size(px(70.0))
         .build_cartesian_2d(0.0..time, lowest / unit..top / unit)?;
     chart
         .configure_mesh()
@@ -76,11 +76,15 @@ fn draw(
         .axis_desc_style(font(15.5).color(&grey))
         .draw()?;
     for (line, (_, colour, width)) in lines.iter().zip(COLOURS) {
+        if let [(t, e)] = line[..] {
+            let dot = Circle::new((t, e / unit), px(3.0), colour.filled());
+            chart.draw_series([dot])?;
+        }
         let points = line.iter().map(|(t, e)| (*t, e / unit));
         chart.draw_series(LineSeries::new(points, colour.stroke_width(px(width.into()))))?;
     }
     // The legend, in one row above the chart.
-    let mut x = px(62.0) as i32;
+    let mut x = px(70.0) as i32;
     let y = px(14.0) as i32;
     for (name, colour, width) in COLOURS {
         let stroke = colour.stroke_width(px(f64::from(width) + 0.5));
@@ -101,10 +105,11 @@ fn tidy(value: f64, range: f64) -> f64 {
 
 fn unit(largest: f64) -> (f64, &'static str) {
     match largest {
+        e if !(1e-9..1e12).contains(&e) => (1.0, "J"),
         e if e >= 1e9 => (1e9, "GJ"),
         e if e >= 1e6 => (1e6, "MJ"),
         e if e >= 1e3 => (1e3, "kJ"),
-        e if e >= 1.0 || e == 0.0 => (1.0, "J"),
+        e if e >= 1.0 => (1.0, "J"),
         e if e >= 1e-3 => (1e-3, "mJ"),
         e if e >= 1e-6 => (1e-6, "µJ"),
         _ => (1e-9, "nJ"),

@@ -170,16 +170,15 @@ impl Panel<'_> {
         // Shadows fall straight down, of the faces that look up; one path, so they unite.
         let vertical = self.camera.vertical;
         let mut shadow = String::new();
-        let slope = normal.dot(vertical);
-        if slope > 0.1 {
-            let fall = |p: DVec3| p - vertical * ((normal.dot(p) - offset) / slope);
-            for (positions, surface) in positions.iter().zip(surfaces) {
-                for face in surface {
-                    let corners = face.map(|n| positions[n as usize]);
-                    let [a, b, c] = corners;
-                    if (b - a).cross(c - a).dot(vertical) > 0.0 {
-                        shadow += &self.outline(&corners.map(fall));
-                    }
+        for (positions, surface) in positions.iter().zip(surfaces) {
+            for face in surface {
+                let [a, b, c] = face.map(|n| positions[n as usize]);
+                if (b - a).cross(c - a).dot(vertical) <= 0.0 {
+                    continue;
+                }
+                let fallen = [a, b, c].map(|p| self.camera.fall(p, normal, offset));
+                if let [Some(a), Some(b), Some(c)] = fallen {
+                    shadow += &self.outline(&[a, b, c]);
                 }
             }
         }
