@@ -1,6 +1,6 @@
 //! Storage. Five kinds of data are kept apart because they live in different places:
 //!
-//! * [`Rest`](crate::rest::Rest): never changes; flash; shared by copies of a body,
+//! * [`Rest`]: never changes; flash; shared by copies of a body,
 //! * [`State`]: x, v, their history, and the rotations: all that a snapshot must save,
 //! * [`Workspace`]: scratch, shared by any number of bodies,
 //! * [`Settings`]: what the user chooses,

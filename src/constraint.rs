@@ -29,7 +29,7 @@
 //! surface (τ = 1) while a truncated solve stops the rest of the body would store energy that was
 //! never there.
 //!
-//! Nodes that the solve moves into a surface nevertheless are put back on it after it ([`land`]),
+//! Nodes that the solve moves into a surface nevertheless are put back on it after it,
 //! and so are nodes that start a step inside, so no node ends a step inside: up to rounding of its coordinates for one collider, for several
 //! up to what their correction in turn leaves where they meet at an acute angle.
 

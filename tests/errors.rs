@@ -23,7 +23,8 @@ fn meshes() {
     assert!(Mesh::new(&NODES, &TETS).is_ok());
     let flat = with_node(3, [0.5, 0.5, 0.0]);
     let tiny: Vec<_> = NODES.iter().map(|x| x.map(|c| c * 1e-14)).collect();
-    let cases: [(&[[f32; 3]], &[[u32; 4]], MeshError); 15] = [
+    type Case<'a> = (&'a [[f32; 3]], &'a [[u32; 4]], MeshError);
+    let cases: [Case; 15] = [
         (&[], &[], MeshError::Empty),
         (&NODES, &[], MeshError::Empty),
         (&[], &TETS, MeshError::Empty),

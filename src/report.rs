@@ -1,0 +1,85 @@
+//! What a step says of itself.
+
+/// Why a step was refused. The state is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// This node would have got a position or velocity that is not finite.
+    NonFinite {
+        /// The first such node.
+        node: u32,
+    },
+    /// Positions would have stayed finite, but the squares of the step's forces or residuals leave the
+    /// range of f32, so that it could not be solved.
+    OutOfRange,
+    /// This pin names a node that the body does not have.
+    Pin {
+        /// Its place in [`Scene::pins`](crate::scene::Scene::pins).
+        pin: u32,
+    },
+    /// [`Scene::forces`](crate::scene::Scene::forces) is neither empty nor as long as the body has nodes.
+    Forces,
+    /// State or workspace is not of the size of the rest data: not filled, or of another body.
+    Storage,
+    /// The start needs more history than the state keeps.
+    History,
+    /// The start needs more vectors than the workspace holds.
+    Vectors,
+}
+
+impl core::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::NonFinite { node } => write!(f, "node {node} would have become non-finite"),
+            Self::OutOfRange => f.write_str("forces or velocities are too large to be squared in f32"),
+            Self::Pin { pin } => write!(f, "pin {pin} names a node that does not exist"),
+            Self::Forces => f.write_str("the list of forces is not as long as the body has nodes"),
+            Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
+            Self::History => f.write_str("the start needs more history than the state keeps"),
+            Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
+        }
+    }
+}
+
+/// What a step says of itself. A step cannot fail: it advances the state, or reports why not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use = "a refused step leaves the state as it was"]
+pub struct StepReport {
+    /// Why the step was refused, if it was.
+    pub refusal: Option<Refusal>,
+    /// ‖b‖ in N·s, filtered.
+    pub rhs: f32,
+    /// ‖b − Av‖ in N·s before the first iteration, filtered.
+    pub residual_before: f32,
+    /// ‖b − Av‖ in N·s after the last iteration, filtered, as the recurrence has it.
+    pub residual_after: f32,
+    /// Iterations that moved the solution; the rest came after the residual had sunk to rounding.
+    pub updates: u32,
+    /// Contacts between nodes and colliders.
+    pub contacts: u32,
+}
+
+impl StepReport {
+    pub(crate) fn refused(refusal: Refusal) -> Self {
+        Self {
+            refusal: Some(refusal),
+            rhs: 0.0,
+            residual_before: 0.0,
+            residual_after: 0.0,
+            updates: 0,
+            contacts: 0,
+        }
+    }
+
+    /// ‖b − Av‖/‖b‖ after the last iteration; 0 where ‖b‖ = 0.
+    #[must_use]
+    pub fn relative_residual(&self) -> f32 {
+        if self.rhs > 0.0 { self.residual_after / self.rhs } else { 0.0 }
+    }
+
+    /// Whether the state advanced.
+    #[must_use]
+    pub fn advanced(&self) -> bool {
+        self.refusal.is_none()
+    }
+}
