@@ -68,8 +68,12 @@ pub enum StateError {
 impl core::fmt::Display for StateError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match *self {
-            Self::Length { given, nodes } => write!(f, "{given} entries were given for {nodes} nodes"),
-            Self::NonFinite { node } => write!(f, "the position or velocity of node {node} is not finite"),
+            Self::Length { given, nodes } => {
+                write!(f, "{given} entries were given for {nodes} nodes")
+            }
+            Self::NonFinite { node } => {
+                write!(f, "the position or velocity of node {node} is not finite")
+            }
         }
     }
 }
@@ -95,7 +99,9 @@ impl StateMut<'_> {
             }
         }
         let finite = |u: &[f32; 3]| u.iter().all(|c| c.is_finite());
-        if let Some((node, _)) = (0_u32..).zip(x.iter().zip(v)).find(|(_, (x, v))| !(finite(x) && finite(v)))
+        if let Some((node, _)) = (0_u32..)
+            .zip(x.iter().zip(v))
+            .find(|(_, (x, v))| !(finite(x) && finite(v)))
         {
             return Err(StateError::NonFinite { node });
         }
@@ -132,7 +138,10 @@ pub const fn state_bytes(nodes: usize, blocks: usize, history: usize) -> usize {
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors)).
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
-    nodes * ((4 + 2 * vectors) * size_of::<[f32; 3]>() + 2 * size_of::<Sym3<f32>>() + size_of::<f32>())
+    nodes
+        * ((4 + 2 * vectors) * size_of::<[f32; 3]>()
+            + 2 * size_of::<Sym3<f32>>()
+            + size_of::<f32>())
         + blocks * size_of::<L::Rotated>()
 }
 
@@ -179,7 +188,10 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
     pub fn reset<L: Layout>(&mut self, rest: &Rest<'_, L>) -> Result<(), MeshError> {
         let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
         if nodes > NODES {
-            return Err(MeshError::TooManyNodes { needed: nodes, capacity: NODES });
+            return Err(MeshError::TooManyNodes {
+                needed: nodes,
+                capacity: NODES,
+            });
         }
         if blocks > BLOCKS {
             return Err(MeshError::TooManyTets {
@@ -211,7 +223,11 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
         StateRef {
             x: self.x.get(..self.nodes).unwrap_or_default(),
             v: self.v.get(..self.nodes).unwrap_or_default(),
-            history: self.history.as_flattened().get(..HISTORY * self.nodes).unwrap_or_default(),
+            history: self
+                .history
+                .as_flattened()
+                .get(..HISTORY * self.nodes)
+                .unwrap_or_default(),
             rotations: self.rotations.get(..self.blocks).unwrap_or_default(),
         }
     }
@@ -222,7 +238,11 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
         StateMut {
             x: self.x.get_mut(..self.nodes).unwrap_or_default(),
             v: self.v.get_mut(..self.nodes).unwrap_or_default(),
-            history: self.history.as_flattened_mut().get_mut(..HISTORY * self.nodes).unwrap_or_default(),
+            history: self
+                .history
+                .as_flattened_mut()
+                .get_mut(..HISTORY * self.nodes)
+                .unwrap_or_default(),
             rotations: self.rotations.get_mut(..self.blocks).unwrap_or_default(),
         }
     }
@@ -238,8 +258,12 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> Default
 
 /// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, and `VECTORS` stored vectors of W.
 #[derive(Debug)]
-pub struct Workspace<const NODES: usize, const BLOCKS: usize, const VECTORS: usize = 1, L: Layout = Factored>
-{
+pub struct Workspace<
+    const NODES: usize,
+    const BLOCKS: usize,
+    const VECTORS: usize = 1,
+    L: Layout = Factored,
+> {
     rotated: [L::Rotated; BLOCKS],
     filter: [Sym3<f32>; NODES],
     blocks: [Sym3<f32>; NODES],
@@ -281,8 +305,16 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
             r: r.get_mut(..nodes).unwrap_or_default(),
             p: p.get_mut(..nodes).unwrap_or_default(),
             q: q.get_mut(..nodes).unwrap_or_default(),
-            vectors: self.space.as_flattened_mut().get_mut(..VECTORS * nodes).unwrap_or_default(),
-            products: self.products.as_flattened_mut().get_mut(..VECTORS * nodes).unwrap_or_default(),
+            vectors: self
+                .space
+                .as_flattened_mut()
+                .get_mut(..VECTORS * nodes)
+                .unwrap_or_default(),
+            products: self
+                .products
+                .as_flattened_mut()
+                .get_mut(..VECTORS * nodes)
+                .unwrap_or_default(),
         }
     }
 }
@@ -385,7 +417,11 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTOR
     /// No mesh yet. All bits zero, so that a `static` costs no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { rest: RestBuffer::new(), state: State::new(), workspace: Workspace::new() }
+        Self {
+            rest: RestBuffer::new(),
+            state: State::new(),
+            workspace: Workspace::new(),
+        }
     }
 
     /// Takes a mesh and its material, and puts the body at rest in the rest shape.
@@ -421,8 +457,8 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTOR
     body_methods!();
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTORS: usize, L: Layout> Default
-    for Body<NODES, BLOCKS, HISTORY, VECTORS, L>
+impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTORS: usize, L: Layout>
+    Default for Body<NODES, BLOCKS, HISTORY, VECTORS, L>
 {
     fn default() -> Self {
         Self::new()

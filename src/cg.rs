@@ -101,8 +101,10 @@ impl Space<'_> {
         for k in 0..count {
             let (vectors, rest) = self.vectors.split_at_mut(k * self.nodes);
             let (products, rest_products) = self.products.split_at_mut(k * self.nodes);
-            let (Some(w), Some(aw)) = (rest.get_mut(..self.nodes), rest_products.get_mut(..self.nodes))
-            else {
+            let (Some(w), Some(aw)) = (
+                rest.get_mut(..self.nodes),
+                rest_products.get_mut(..self.nodes),
+            ) else {
                 return;
             };
             let before = dot(w, w);
@@ -116,8 +118,10 @@ impl Space<'_> {
             let after = dot(w, w);
             system.apply(w, aw);
             let square = dot(w, aw);
-            let usable =
-                (after > PARALLEL * before) & (after > NOTHING) & (square > NOTHING) & square.is_finite();
+            let usable = (after > PARALLEL * before)
+                & (after > NOTHING)
+                & (square > NOTHING)
+                & square.is_finite();
             let scale = 1.0 / sqrt(select(usable, square, 1.0));
             for x in w.as_flattened_mut().iter_mut().chain(aw.as_flattened_mut()) {
                 *x = select(usable, *x * scale, 0.0);
@@ -139,7 +143,13 @@ impl Space<'_> {
 
     /// Galerkin over one more vector `g`, with its coefficient held between 0 and 1: v += τ g', r −= τ Ag'
     /// where g' is g made A-orthogonal to the stored vectors. `g` and `ag` = A g are overwritten.
-    pub fn close_gap(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]], g: &mut [[f32; 3]], ag: &mut [[f32; 3]]) {
+    pub fn close_gap(
+        &self,
+        v: &mut [[f32; 3]],
+        r: &mut [[f32; 3]],
+        g: &mut [[f32; 3]],
+        ag: &mut [[f32; 3]],
+    ) {
         for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
             let c = dot(aw, g);
             add_scaled(g, -c, w);
@@ -167,7 +177,9 @@ fn pairs<'a>(
     nodes: usize,
 ) -> impl Iterator<Item = (&'a [[f32; 3]], &'a [[f32; 3]])> {
     // A body has nodes; `max` only keeps a division by zero out of the binary.
-    vectors.chunks_exact(nodes.max(1)).zip(products.chunks_exact(nodes.max(1)))
+    vectors
+        .chunks_exact(nodes.max(1))
+        .zip(products.chunks_exact(nodes.max(1)))
 }
 
 /// z −= w_j (Aw_j·z)

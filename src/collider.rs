@@ -67,7 +67,11 @@ impl Collider {
             return Err(ColliderError::Place);
         }
         let normal = normal / length;
-        Ok(Self { shape: Shape::HalfSpace { normal, offset }, friction: 0.0, velocity: Vec3::ZERO })
+        Ok(Self {
+            shape: Shape::HalfSpace { normal, offset },
+            friction: 0.0,
+            velocity: Vec3::ZERO,
+        })
     }
 
     /// Keeps nodes out of a ball. No friction.
@@ -81,7 +85,11 @@ impl Collider {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(ColliderError::Radius);
         }
-        Ok(Self { shape: Shape::Sphere { centre, radius }, friction: 0.0, velocity: Vec3::ZERO })
+        Ok(Self {
+            shape: Shape::Sphere { centre, radius },
+            friction: 0.0,
+            velocity: Vec3::ZERO,
+        })
     }
 
     /// With Coulomb's coefficient of friction, static and sliding.
@@ -101,7 +109,11 @@ impl Collider {
     /// # Errors
     /// [`ColliderError::Velocity`].
     pub fn with_velocity(self, velocity: Vec3) -> Result<Self, ColliderError> {
-        if velocity.is_finite() { Ok(Self { velocity, ..self }) } else { Err(ColliderError::Velocity) }
+        if velocity.is_finite() {
+            Ok(Self { velocity, ..self })
+        } else {
+            Err(ColliderError::Velocity)
+        }
     }
 
     /// Moves the shape on by `time` seconds of its velocity.
@@ -137,7 +149,11 @@ impl Collider {
                 // At the very centre any direction leads out.
                 let inside = length < f32::MIN_POSITIVE;
                 let scale = 1.0 / select(inside, 1.0, length);
-                let normal = Vec3::new(from.x * scale, select(inside, 1.0, from.y * scale), from.z * scale);
+                let normal = Vec3::new(
+                    from.x * scale,
+                    select(inside, 1.0, from.y * scale),
+                    from.z * scale,
+                );
                 (length - radius, normal)
             }
         }

@@ -53,7 +53,10 @@ impl Pin {
     /// Holds a node where it is.
     #[must_use]
     pub fn held(node: u32) -> Self {
-        Self { node, velocity: Vec3::ZERO }
+        Self {
+            node,
+            velocity: Vec3::ZERO,
+        }
     }
 }
 
@@ -111,15 +114,29 @@ pub(crate) struct Decisions<'a> {
 }
 
 /// Decides who is in contact and who slides. Returns the number of contacts.
-pub(crate) fn touch(colliders: &[Collider], step: &ContactStep<'_>, out: &mut Decisions<'_>) -> u32 {
+pub(crate) fn touch(
+    colliders: &[Collider],
+    step: &ContactStep<'_>,
+    out: &mut Decisions<'_>,
+) -> u32 {
     let margin = TOUCHING * step.length_unit;
     let per_dt = 1.0 / step.dt;
     let mut contacts = 0;
     let per_unit = 1.0 / step.velocity_unit;
     let body = step.masses.iter().zip(step.x).zip(step.v);
-    let system = out.rhs.iter_mut().zip(&mut *out.diagonal).zip(&mut *out.inertia);
-    let constraint = out.filter.iter_mut().zip(&mut *out.targets).zip(&mut *out.gaps);
-    for ((((mass, x), v), ((rhs, diagonal), inertia)), ((p, c), gap)) in body.zip(system).zip(constraint) {
+    let system = out
+        .rhs
+        .iter_mut()
+        .zip(&mut *out.diagonal)
+        .zip(&mut *out.inertia);
+    let constraint = out
+        .filter
+        .iter_mut()
+        .zip(&mut *out.targets)
+        .zip(&mut *out.gaps);
+    for ((((mass, x), v), ((rhs, diagonal), inertia)), ((p, c), gap)) in
+        body.zip(system).zip(constraint)
+    {
         let (x, v) = (Vec3::from_array(*x), Vec3::from_array(*v));
         let a = (diagonal[0] + diagonal[3] + diagonal[5]) * (1.0 / 3.0);
         let push = Vec3::from_array(*rhs) - v * (mass / step.mass_unit * per_unit); // h f
@@ -175,7 +192,11 @@ pub(crate) fn touch(colliders: &[Collider], step: &ContactStep<'_>, out: &mut De
 /// If `active`: c·n = speed from now on, along `free` = P n (n·P n = `share`).
 #[inline]
 fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, speed: f32) {
-    let missing = select(active, ratio_or_zero(1.0, share, 0.0) * (speed - n.dot(Vec3::from_array(*c))), 0.0);
+    let missing = select(
+        active,
+        ratio_or_zero(1.0, share, 0.0) * (speed - n.dot(Vec3::from_array(*c))),
+        0.0,
+    );
     *c = core::array::from_fn(|axis| c[axis] + missing * free[axis]);
 }
 

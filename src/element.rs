@@ -22,8 +22,8 @@
 //! sum to zero), 216 bytes, and carries *any* linear elastic material.
 
 use crate::lane::{
-    BLOCK, Lanes, Real, add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose,
-    zero3,
+    BLOCK, Lanes, Real, add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3,
+    transpose, zero3,
 };
 use crate::rest::TetBlock;
 
@@ -63,7 +63,12 @@ pub trait Layout: Sized + 'static {
     ) -> [[R; 3]; 4];
 
     /// The four diagonal blocks of `scale` · K.
-    fn diagonal<R: Lanes>(tet: &TetBlock, rotated: &Self::Rotated, at: usize, scale: R) -> [Sym3<R>; 4];
+    fn diagonal<R: Lanes>(
+        tet: &TetBlock,
+        rotated: &Self::Rotated,
+        at: usize,
+        scale: R,
+    ) -> [Sym3<R>; 4];
 
     /// Elastic energy of lane `at` in joules, given Q.
     fn energy(bite: &Bite<'_, Self, f64>, q: &[[f64; 3]; 3]) -> f64;
@@ -106,8 +111,16 @@ pub(crate) fn deformation<R: Real>(edges: &[[R; 3]; 3], g: &[[R; 3]; 3]) -> [[R;
 #[inline]
 fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     let (one, half) = (R::splat(1.0), R::splat(0.5));
-    let (xy, xz, yz) = (half * (b[0][1] + b[1][0]), half * (b[0][2] + b[2][0]), half * (b[1][2] + b[2][1]));
-    [[b[0][0] - one, xy, xz], [xy, b[1][1] - one, yz], [xz, yz, b[2][2] - one]]
+    let (xy, xz, yz) = (
+        half * (b[0][1] + b[1][0]),
+        half * (b[0][2] + b[2][0]),
+        half * (b[1][2] + b[2][1]),
+    );
+    [
+        [b[0][0] - one, xy, xz],
+        [xy, b[1][1] - one, yz],
+        [xz, yz, b[2][2] - one],
+    ]
 }
 
 /// The fourth corner balances the other three.
@@ -179,7 +192,11 @@ impl Layout for Factored {
         let lambda = scale * R::load(&tet.lambda_v, at);
         let mu = scale * R::load(&tet.mu_v, at);
         let pressure = lambda * (h[0][0] + h[1][1] + h[2][2]);
-        let (xy, xz, yz) = (mu * (h[0][1] + h[1][0]), mu * (h[0][2] + h[2][0]), mu * (h[1][2] + h[2][1]));
+        let (xy, xz, yz) = (
+            mu * (h[0][1] + h[1][0]),
+            mu * (h[0][2] + h[2][0]),
+            mu * (h[1][2] + h[2][1]),
+        );
         let s = [
             [pressure + mu * (h[0][0] + h[0][0]), xy, xz],
             [xy, pressure + mu * (h[1][1] + h[1][1]), yz],
@@ -189,7 +206,12 @@ impl Layout for Factored {
     }
 
     #[inline]
-    fn diagonal<R: Lanes>(tet: &TetBlock, rotated: &Self::Rotated, at: usize, scale: R) -> [Sym3<R>; 4] {
+    fn diagonal<R: Lanes>(
+        tet: &TetBlock,
+        rotated: &Self::Rotated,
+        at: usize,
+        scale: R,
+    ) -> [Sym3<R>; 4] {
         let g = balanced(rotated.load::<R>(at)); // G_0 = −ΣG_j
         let mu = scale * R::load(&tet.mu_v, at);
         let both = mu + scale * R::load(&tet.lambda_v, at);
@@ -214,7 +236,11 @@ impl Layout for Factored {
         let g = bite.tet.gradients.map(|g| g.map(|axis| lane(&axis)));
         let e = strain(&mul_mat(&transpose(q), &deformation(&bite.edges, &g)));
         let trace = e[0][0] + e[1][1] + e[2][2];
-        let square: f64 = e.iter().flatten().map(|x| x * x).fold(0.0, |sum, x| sum + x);
+        let square: f64 = e
+            .iter()
+            .flatten()
+            .map(|x| x * x)
+            .fold(0.0, |sum, x| sum + x);
         lane(&bite.tet.mu_v) * square + 0.5 * lane(&bite.tet.lambda_v) * trace * trace
     }
 }
@@ -312,7 +338,12 @@ impl Layout for Dense {
     }
 
     #[inline]
-    fn diagonal<R: Lanes>(_: &TetBlock, rotated: &Self::Rotated, at: usize, scale: R) -> [Sym3<R>; 4] {
+    fn diagonal<R: Lanes>(
+        _: &TetBlock,
+        rotated: &Self::Rotated,
+        at: usize,
+        scale: R,
+    ) -> [Sym3<R>; 4] {
         let mut sums = [[R::splat(0.0); 6]; 4];
         // K_ii = −Σ_j K_ij; its skew part is rounding.
         let half = -(R::splat(0.5) * scale);
@@ -334,7 +365,11 @@ impl Layout for Dense {
         let f = pairwise(&d, |pair| {
             bite.stiffness.0[pair].map(|row| row.map(|entry| f64::from(entry[bite.at % BLOCK])))
         });
-        0.5 * d.iter().zip(&f).map(|(d, f)| dot3(d, f)).fold(0.0, |sum, x| sum + x)
+        0.5 * d
+            .iter()
+            .zip(&f)
+            .map(|(d, f)| dot3(d, f))
+            .fold(0.0, |sum, x| sum + x)
     }
 }
 
@@ -352,7 +387,11 @@ pub type Elasticity = [[f64; 6]; 6];
 /// The six off-diagonal rest blocks of a tetrahedron of any linear elastic material:
 /// (K_ij)_ab = V Σ_cd C_acbd g_i,c g_j,d, from its volume (m³) and gradients (1/m).
 #[must_use]
-pub fn elastic_blocks(volume: f64, gradients: &[[f64; 3]; 3], c: &Elasticity) -> [[[f64; 3]; 3]; 6] {
+pub fn elastic_blocks(
+    volume: f64,
+    gradients: &[[f64; 3]; 3],
+    c: &Elasticity,
+) -> [[[f64; 3]; 3]; 6] {
     const VOIGT: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
     let g = balanced(*gradients);
     PAIRS.map(|(i, j)| {

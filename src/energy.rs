@@ -56,7 +56,11 @@ pub fn energies<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>, gravity: Ve
         kinetic += 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         potential -= m * (g[0] * x[0] + g[1] * x[1] + g[2] * x[2]);
     }
-    Energies { kinetic, elastic: elastic(rest, state, Rotations::Converged), potential }
+    Energies {
+        kinetic,
+        elastic: elastic(rest, state, Rotations::Converged),
+        potential,
+    }
 }
 
 /// Elastic energy in joules, with the nearest rotations or with those of the state.
@@ -116,7 +120,11 @@ fn each_tet<L: Layout>(
         for lane in 0..BLOCK.min(left) {
             let corner_edges = |positions: &[[f32; 3]]| {
                 edges(&tet.corners.map(|corner| {
-                    positions.get(corner[lane] as usize).copied().unwrap_or_default().map(f64::from)
+                    positions
+                        .get(corner[lane] as usize)
+                        .copied()
+                        .unwrap_or_default()
+                        .map(f64::from)
                 }))
             };
             let bite = Bite {
@@ -127,7 +135,11 @@ fn each_tet<L: Layout>(
                 rest_edges: corner_edges(rest.nodes),
             };
             let g = tet.gradients.map(|g| g.map(|axis| f64::from(axis[lane])));
-            visit(&bite, &deformation(&bite.edges, &g), rotation.0.map(|c| f64::from(c[lane])));
+            visit(
+                &bite,
+                &deformation(&bite.edges, &g),
+                rotation.0.map(|c| f64::from(c[lane])),
+            );
         }
         left = left.saturating_sub(BLOCK);
     }

@@ -50,7 +50,12 @@ mod native {
 
 /// Arithmetic that a kernel may use, on one number or on several side by side.
 pub trait Real:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
 {
     /// The same number in every lane.
     fn splat(x: f32) -> Self;
@@ -277,7 +282,12 @@ impl Lanes for f32x4 {
         corners: &[[u32; BLOCK]; 4],
         at: usize,
     ) {
-        scatter_arrays(&values.map(|v| v.map(f32x4::to_array)), vectors, corners, at);
+        scatter_arrays(
+            &values.map(|v| v.map(f32x4::to_array)),
+            vectors,
+            corners,
+            at,
+        );
     }
 }
 
@@ -328,7 +338,12 @@ impl Lanes for f32x8 {
         corners: &[[u32; BLOCK]; 4],
         at: usize,
     ) {
-        scatter_arrays(&values.map(|v| v.map(f32x8::to_array)), vectors, corners, at);
+        scatter_arrays(
+            &values.map(|v| v.map(f32x8::to_array)),
+            vectors,
+            corners,
+            at,
+        );
     }
 }
 

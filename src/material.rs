@@ -56,7 +56,13 @@ impl Material {
         } else if !positive(density) {
             Err(MaterialError::Density(density))
         } else {
-            Ok(Self { young, poisson, density, alpha: 0.0, beta: 0.0 })
+            Ok(Self {
+                young,
+                poisson,
+                density,
+                alpha: 0.0,
+                beta: 0.0,
+            })
         }
     }
 
@@ -71,7 +77,11 @@ impl Material {
         } else if !usable(beta) {
             Err(MaterialError::Beta(beta))
         } else {
-            Ok(Self { alpha, beta, ..self })
+            Ok(Self {
+                alpha,
+                beta,
+                ..self
+            })
         }
     }
 
@@ -80,7 +90,10 @@ impl Material {
     #[must_use]
     pub fn lame(&self) -> (f64, f64) {
         let (e, nu) = (f64::from(self.young), f64::from(self.poisson));
-        (e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), e / (2.0 * (1.0 + nu)))
+        (
+            e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
+            e / (2.0 * (1.0 + nu)),
+        )
     }
 
     /// Density, kg/m³.

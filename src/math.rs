@@ -28,7 +28,11 @@ pub fn select(condition: bool, yes: f32, no: f32) -> f32 {
 #[inline]
 #[must_use]
 pub fn select3(condition: bool, yes: [f32; 3], no: [f32; 3]) -> [f32; 3] {
-    [select(condition, yes[0], no[0]), select(condition, yes[1], no[1]), select(condition, yes[2], no[2])]
+    [
+        select(condition, yes[0], no[0]),
+        select(condition, yes[1], no[1]),
+        select(condition, yes[2], no[2]),
+    ]
 }
 
 /// `numerator / denominator` where `denominator > floor` and the quotient is finite, else 0.
@@ -49,7 +53,11 @@ pub fn ratio_or_zero(numerator: f32, denominator: f32, floor: f32) -> f32 {
 #[inline]
 #[must_use]
 pub fn power_of_two_below(x: f32) -> f32 {
-    if x >= f32::MIN_POSITIVE && x.is_finite() { f32::from_bits(x.to_bits() & 0x7f80_0000) } else { 1.0 }
+    if x >= f32::MIN_POSITIVE && x.is_finite() {
+        f32::from_bits(x.to_bits() & 0x7f80_0000)
+    } else {
+        1.0
+    }
 }
 
 #[cfg(test)]
@@ -81,7 +89,13 @@ mod tests {
     #[test]
     fn ratios_break_down_to_zero() {
         assert_eq!(ratio_or_zero(6.0, 2.0, 0.0), 3.0);
-        for (a, b) in [(1.0, 0.0), (1.0, -2.0), (f32::NAN, 1.0), (1.0, f32::NAN), (f32::MAX, 1e-30)] {
+        for (a, b) in [
+            (1.0, 0.0),
+            (1.0, -2.0),
+            (f32::NAN, 1.0),
+            (1.0, f32::NAN),
+            (f32::MAX, 1e-30),
+        ] {
             assert_eq!(ratio_or_zero(a, b, 0.0), 0.0, "{a} / {b}");
         }
     }

@@ -72,23 +72,42 @@ impl fmt::Display for MeshError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Empty => write!(f, "the mesh has no nodes or no tetrahedra"),
-            Self::NonFiniteNode { node } => write!(f, "node {node} has a coordinate that is not finite"),
-            Self::NodeOutOfRange { tet, node } => {
-                write!(f, "tetrahedron {tet} names node {node}, which does not exist")
+            Self::NonFiniteNode { node } => {
+                write!(f, "node {node} has a coordinate that is not finite")
             }
-            Self::RepeatedNode { tet, node } => write!(f, "tetrahedron {tet} names node {node} twice"),
+            Self::NodeOutOfRange { tet, node } => {
+                write!(
+                    f,
+                    "tetrahedron {tet} names node {node}, which does not exist"
+                )
+            }
+            Self::RepeatedNode { tet, node } => {
+                write!(f, "tetrahedron {tet} names node {node} twice")
+            }
             Self::BadVolume { tet } => {
-                write!(f, "tetrahedron {tet} has a volume that is not positive, or too small")
+                write!(
+                    f,
+                    "tetrahedron {tet} has a volume that is not positive, or too small"
+                )
             }
             Self::UnreferencedNode { node } => write!(f, "node {node} belongs to no tetrahedron"),
             Self::OutOfScale { tet } => {
-                write!(f, "the mass or stiffness of tetrahedron {tet} is out of range")
+                write!(
+                    f,
+                    "the mass or stiffness of tetrahedron {tet} is out of range"
+                )
             }
             Self::TooManyNodes { needed, capacity } => {
-                write!(f, "the mesh has {needed} nodes, the storage holds {capacity}")
+                write!(
+                    f,
+                    "the mesh has {needed} nodes, the storage holds {capacity}"
+                )
             }
             Self::TooManyTets { needed, capacity } => {
-                write!(f, "the mesh has {needed} tetrahedra, the storage holds {capacity}")
+                write!(
+                    f,
+                    "the mesh has {needed} tetrahedra, the storage holds {capacity}"
+                )
             }
         }
     }
@@ -130,10 +149,16 @@ pub fn problems(nodes: &[[f32; 3]], tets: &[[u32; 4]], mut report: impl FnMut(Me
         (Ok(n), Ok(t)) if n > 0 && t > 0 => (n, t),
         (Ok(_), Ok(_)) => return report(MeshError::Empty),
         (Err(_), _) => {
-            return report(MeshError::TooManyNodes { needed: nodes.len(), capacity: u32::MAX as usize });
+            return report(MeshError::TooManyNodes {
+                needed: nodes.len(),
+                capacity: u32::MAX as usize,
+            });
         }
         (_, Err(_)) => {
-            return report(MeshError::TooManyTets { needed: tets.len(), capacity: u32::MAX as usize });
+            return report(MeshError::TooManyTets {
+                needed: tets.len(),
+                capacity: u32::MAX as usize,
+            });
         }
     };
     for (node, position) in (0..node_count).zip(nodes) {
@@ -150,7 +175,9 @@ pub fn problems(nodes: &[[f32; 3]], tets: &[[u32; 4]], mut report: impl FnMut(Me
             report(MeshError::BadVolume { tet });
         }
     }
-    unreferenced(node_count, tets, |node| report(MeshError::UnreferencedNode { node }));
+    unreferenced(node_count, tets, |node| {
+        report(MeshError::UnreferencedNode { node })
+    });
 }
 
 fn repeated([a, b, c, d]: &[u32; 4]) -> Option<u32> {
@@ -171,14 +198,21 @@ fn unreferenced(node_count: u32, tets: &[[u32; 4]], mut report: impl FnMut(u32))
     let mut start = 0;
     while start < node_count {
         let mut seen = [0_u32; WORDS as usize];
-        for offset in tets.iter().flatten().filter_map(|node| node.checked_sub(start)) {
+        for offset in tets
+            .iter()
+            .flatten()
+            .filter_map(|node| node.checked_sub(start))
+        {
             if let Some(word) = seen.get_mut((offset / 32) as usize) {
                 *word |= 1 << (offset % 32);
             }
         }
         let window = (node_count - start).min(32 * WORDS);
         for offset in 0..window {
-            if seen.get((offset / 32) as usize).is_some_and(|word| word & (1 << (offset % 32)) == 0) {
+            if seen
+                .get((offset / 32) as usize)
+                .is_some_and(|word| word & (1 << (offset % 32)) == 0)
+            {
                 report(start + offset);
             }
         }
@@ -195,9 +229,13 @@ pub(crate) struct Shape {
 
 impl Shape {
     fn fits_f32(&self) -> bool {
-        #[expect(clippy::cast_possible_truncation, reason = "the rounding is what is tested")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the rounding is what is tested"
+        )]
         let fits = |x: f64| (x as f32).is_finite();
-        self.volume > f64::from(f32::MIN_POSITIVE) && self.gradients.iter().flatten().all(|&g| fits(g))
+        self.volume > f64::from(f32::MIN_POSITIVE)
+            && self.gradients.iter().flatten().all(|&g| fits(g))
     }
 }
 
@@ -216,9 +254,16 @@ pub(crate) fn shape(nodes: &[[f32; 3]], corners: &[u32; 4]) -> Option<Shape> {
     if !(six_volumes > 0.0 && six_volumes.is_finite()) {
         return None;
     }
-    Some(Shape { volume: six_volumes / 6.0, gradients: normals.map(|n| n.map(|x| x / six_volumes)) })
+    Some(Shape {
+        volume: six_volumes / 6.0,
+        gradients: normals.map(|n| n.map(|x| x / six_volumes)),
+    })
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }

@@ -103,7 +103,12 @@ pub fn rotate<R: Lanes, L: Layout>(
     out: &mut [[f32; 3]],
 ) {
     let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
-    let blocks = rest.blocks.iter().zip(rest.stiffness).zip(rotations).zip(rotated);
+    let blocks = rest
+        .blocks
+        .iter()
+        .zip(rest.stiffness)
+        .zip(rotations)
+        .zip(rotated);
     for (((tet, stiffness), rotation), rotated) in blocks {
         let mut at = 0;
         while at < BLOCK {

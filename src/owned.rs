@@ -81,14 +81,20 @@ impl OwnedRest<Dense> {
     ) -> Result<Self, MeshError> {
         let mut out = Self::new(mesh, material)?;
         for (tet, corners) in mesh.tets().iter().enumerate() {
-            let Some(shape) = shape(mesh.nodes(), corners) else { continue };
+            let Some(shape) = shape(mesh.nodes(), corners) else {
+                continue;
+            };
             let pairs = elastic_blocks(shape.volume, &shape.gradients, &elasticity(tet));
-            let Some(DenseBlocks(stored)) = out.stiffness.get_mut(tet / BLOCK) else { continue };
+            let Some(DenseBlocks(stored)) = out.stiffness.get_mut(tet / BLOCK) else {
+                continue;
+            };
             for (stored, pair) in stored.iter_mut().zip(pairs) {
                 for (stored, k) in stored.iter_mut().flatten().zip(pair.into_iter().flatten()) {
                     let k = to_f32(k);
                     if !k.is_finite() {
-                        return Err(MeshError::OutOfScale { tet: u32::try_from(tet).unwrap_or(u32::MAX) });
+                        return Err(MeshError::OutOfScale {
+                            tet: u32::try_from(tet).unwrap_or(u32::MAX),
+                        });
                     }
                     stored[tet % BLOCK] = k;
                 }
@@ -125,7 +131,12 @@ impl OwnedState {
     /// Borrows it for reading.
     #[must_use]
     pub fn view(&self) -> StateRef<'_> {
-        StateRef { x: &self.x, v: &self.v, history: &self.history, rotations: &self.rotations }
+        StateRef {
+            x: &self.x,
+            v: &self.v,
+            history: &self.history,
+            rotations: &self.rotations,
+        }
     }
 
     /// Borrows it for a step.
@@ -214,8 +225,15 @@ impl<L: Layout> OwnedBody<L> {
     #[must_use]
     pub fn from_rest(rest: OwnedRest<L>, start: Start) -> Self {
         let view = rest.view();
-        let (state, workspace) = (OwnedState::new(&view, start), OwnedWorkspace::new(&view, start));
-        Self { rest, state, workspace }
+        let (state, workspace) = (
+            OwnedState::new(&view, start),
+            OwnedWorkspace::new(&view, start),
+        );
+        Self {
+            rest,
+            state,
+            workspace,
+        }
     }
 
     /// The state; `clone` it for a snapshot.

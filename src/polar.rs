@@ -61,7 +61,10 @@ pub fn unrotated<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     // Sixteenths: the sum of nine magnitudes up to f32::MAX stays finite.
     let sixteenth = R::splat(0.0625);
-    let size = f.iter().flatten().fold(R::splat(0.0), |sum, x| sum + (*x * sixteenth).abs());
+    let size = f
+        .iter()
+        .flatten()
+        .fold(R::splat(0.0), |sum, x| sum + (*x * sixteenth).abs());
     let least = R::splat(f32::MIN_POSITIVE * 16.0);
     let scale = R::splat(0.0625) / size.where_below(least, R::splat(1.0), size);
     let scale = size.where_below(least, R::splat(0.0), scale);
@@ -109,7 +112,10 @@ fn direction<R: Real>(a: R, d: R) -> (R, R) {
     let (zero, one, tiny) = (R::splat(0.0), R::splat(1.0), R::splat(1e-30));
     let square = a * a + d * d;
     let inverse = one / square.where_below(tiny, one, square).sqrt();
-    (square.where_below(tiny, one, a * inverse), square.where_below(tiny, zero, d * inverse))
+    (
+        square.where_below(tiny, one, a * inverse),
+        square.where_below(tiny, zero, d * inverse),
+    )
 }
 
 /// A vector along (cos φ/2, sin φ/2), of length between √2 and 2. The two forms of the half-angle
@@ -117,7 +123,10 @@ fn direction<R: Real>(a: R, d: R) -> (R, R) {
 #[inline]
 fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
-    (c.where_below(zero, s, one + c), c.where_below(zero, one - c, s))
+    (
+        c.where_below(zero, s, one + c),
+        c.where_below(zero, one - c, s),
+    )
 }
 
 /// q (w, s e_AXIS): a turn about a base axis.
@@ -174,7 +183,8 @@ pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
 /// The half turn that leaves a saddle, or the identity where B is none.
 fn escape<R: Real>(b: &[[R; 3]; 3]) -> Quaternion<R> {
     let half = R::splat(0.5);
-    let mut s: [[R; 3]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
+    let mut s: [[R; 3]; 3] =
+        core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
     let mut v = identity(); // VᵀSV diagonal
     for _ in 0..6 {
         diagonalise_pair::<R, 0, 1, 3>(&mut v, &mut s, R::splat(1.0));

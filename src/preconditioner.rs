@@ -94,14 +94,20 @@ mod tests {
         for (i, row) in product.iter().enumerate() {
             for (j, x) in row.iter().enumerate() {
                 // A dozen roundings of numbers of order one.
-                assert!((x - f32::from(i == j)).abs() < 12.0 * f32::EPSILON, "{product:?}");
+                assert!(
+                    (x - f32::from(i == j)).abs() < 12.0 * f32::EPSILON,
+                    "{product:?}"
+                );
             }
         }
     }
 
     #[test]
     fn a_singular_block_falls_back_to_its_diagonal() {
-        assert_eq!(inverse(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.0]), [1.0, 0.0, 0.0, 1.0, 0.0, 1.0]);
+        assert_eq!(
+            inverse(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.0]),
+            [1.0, 0.0, 0.0, 1.0, 0.0, 1.0]
+        );
         assert_eq!(inverse(&[0.0; 6]), [0.0; 6]);
     }
 }

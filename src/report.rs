@@ -31,7 +31,9 @@ impl core::fmt::Display for Refusal {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::NonFinite { node } => write!(f, "node {node} would have become non-finite"),
-            Self::OutOfRange => f.write_str("forces or velocities are too large to be squared in f32"),
+            Self::OutOfRange => {
+                f.write_str("forces or velocities are too large to be squared in f32")
+            }
             Self::Pin { pin } => write!(f, "pin {pin} names a node that does not exist"),
             Self::Forces => f.write_str("the list of forces is not as long as the body has nodes"),
             Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
@@ -74,7 +76,11 @@ impl StepReport {
     /// ‖b − Av‖/‖b‖ after the last iteration; 0 where ‖b‖ = 0.
     #[must_use]
     pub fn relative_residual(&self) -> f32 {
-        if self.rhs > 0.0 { self.residual_after / self.rhs } else { 0.0 }
+        if self.rhs > 0.0 {
+            self.residual_after / self.rhs
+        } else {
+            0.0
+        }
     }
 
     /// Whether the state advanced.

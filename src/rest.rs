@@ -51,8 +51,14 @@ pub struct Header {
 }
 
 impl Header {
-    pub(crate) const EMPTY: Self =
-        Self { tets: 0, alpha: 0.0, beta: 0.0, length_unit: 0.0, mass_unit: 0.0, total_mass: 0.0 };
+    pub(crate) const EMPTY: Self = Self {
+        tets: 0,
+        alpha: 0.0,
+        beta: 0.0,
+        length_unit: 0.0,
+        mass_unit: 0.0,
+        total_mass: 0.0,
+    };
 }
 
 /// Rest data, borrowed: from flash, from a [`RestBuffer`], or from `Vec`s.
@@ -102,7 +108,10 @@ pub(crate) fn check_scale(mesh: &Mesh<'_>, material: &Material) -> Result<(), Me
     Ok(())
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "rest data is computed in f64 and rounded once")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "rest data is computed in f64 and rounded once"
+)]
 pub(crate) fn to_f32(x: f64) -> f32 {
     x as f32
 }
@@ -116,10 +125,15 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
     out.masses.fill(0.0);
     let (mut total_mass, mut total_volume) = (0.0, 0.0);
     let chunks = mesh.tets().chunks(BLOCK);
-    for ((chunk, block), stiffness) in chunks.zip(out.blocks.iter_mut()).zip(out.stiffness.iter_mut()) {
+    for ((chunk, block), stiffness) in chunks
+        .zip(out.blocks.iter_mut())
+        .zip(out.stiffness.iter_mut())
+    {
         *block = TetBlock::ZERO;
         for (lane, corners) in chunk.iter().enumerate() {
-            let Some(shape) = shape(mesh.nodes(), corners) else { continue };
+            let Some(shape) = shape(mesh.nodes(), corners) else {
+                continue;
+            };
             total_volume += shape.volume;
             for (corner, &node) in corners.iter().enumerate() {
                 block.corners[corner][lane] = node;
@@ -142,7 +156,10 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
         total_mass += f64::from(*mass);
     }
     let (tets, nodes) = (mesh.tets().len(), mesh.nodes().len());
-    #[expect(clippy::cast_precision_loss, reason = "units only need the order of magnitude")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "units only need the order of magnitude"
+    )]
     let (per_tet, per_node) = (total_volume / tets as f64, total_mass / nodes as f64);
     *out.header = Header {
         tets: u32::try_from(tets).unwrap_or(u32::MAX),
@@ -186,10 +203,16 @@ impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCK
     pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
         let (nodes, tets) = (mesh.nodes().len(), mesh.tets().len());
         if nodes > NODES {
-            return Err(MeshError::TooManyNodes { needed: nodes, capacity: NODES });
+            return Err(MeshError::TooManyNodes {
+                needed: nodes,
+                capacity: NODES,
+            });
         }
         if blocks(tets) > BLOCKS {
-            return Err(MeshError::TooManyTets { needed: tets, capacity: BLOCKS * BLOCK });
+            return Err(MeshError::TooManyTets {
+                needed: tets,
+                capacity: BLOCKS * BLOCK,
+            });
         }
         check_scale(mesh, material)?;
         // Both were checked above, so no resize can fail.

@@ -22,6 +22,9 @@ impl Scene<'_> {
     /// Whether anything in it has a velocity of its own.
     pub(crate) fn moves(&self) -> bool {
         self.pins.iter().any(|pin| pin.velocity != Vec3::ZERO)
-            || self.colliders.iter().any(|collider| collider.velocity() != Vec3::ZERO)
+            || self
+                .colliders
+                .iter()
+                .any(|collider| collider.velocity() != Vec3::ZERO)
     }
 }

@@ -16,7 +16,10 @@ pub struct Budget {
 impl Default for Budget {
     /// 5 iterations, 2 sweeps.
     fn default() -> Self {
-        Self { iterations: 5, polar_sweeps: 2 }
+        Self {
+            iterations: 5,
+            polar_sweeps: 2,
+        }
     }
 }
 
@@ -150,7 +153,10 @@ impl Settings {
     /// With this preconditioner.
     #[must_use]
     pub fn with_preconditioner(self, preconditioner: Preconditioner) -> Self {
-        Self { preconditioner, ..self }
+        Self {
+            preconditioner,
+            ..self
+        }
     }
 
     /// Time step h, seconds.

@@ -112,15 +112,27 @@ pub fn step<R: Lanes, L: Layout>(
 
     // b = M v + h f
     external_impulses(rest, state, scene, &units, work.r);
-    rotate::<R, L>(rest, state.x, state.rotations, units.dt / units.impulse, work.rotated, work.r);
+    rotate::<R, L>(
+        rest,
+        state.x,
+        state.rotations,
+        units.dt / units.impulse,
+        work.rotated,
+        work.r,
+    );
 
     let [mass, stiffness] = units.system;
     for (inertia, m) in work.inertia.iter_mut().zip(rest.masses) {
         *inertia = mass * m;
     }
     if settings.preconditioner.needs_diagonal() || !scene.colliders.is_empty() {
-        Operator { rest: *rest, rotated: &*work.rotated, inertia: &*work.inertia, stiffness }
-            .diagonal::<R>(work.blocks);
+        Operator {
+            rest: *rest,
+            rotated: &*work.rotated,
+            inertia: &*work.inertia,
+            stiffness,
+        }
+        .diagonal::<R>(work.blocks);
     }
 
     // Who is held, who touches, who slides; targets c in m/s.
@@ -144,12 +156,28 @@ pub fn step<R: Lanes, L: Layout>(
         gaps: &mut *work.p,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
-    for c in work.v.as_flattened_mut().iter_mut().chain(work.p.as_flattened_mut()) {
+    for c in work
+        .v
+        .as_flattened_mut()
+        .iter_mut()
+        .chain(work.p.as_flattened_mut())
+    {
         *c /= units.velocity;
     }
-    settings.preconditioner.prepare(work.inertia, work.filter, work.blocks);
-    let operator = Operator { rest: *rest, rotated: &*work.rotated, inertia: &*work.inertia, stiffness };
-    let system = Filtered::<L, R> { operator, blocks: &*work.blocks, lanes: core::marker::PhantomData };
+    settings
+        .preconditioner
+        .prepare(work.inertia, work.filter, work.blocks);
+    let operator = Operator {
+        rest: *rest,
+        rotated: &*work.rotated,
+        inertia: &*work.inertia,
+        stiffness,
+    };
+    let system = Filtered::<L, R> {
+        operator,
+        blocks: &*work.blocks,
+        lanes: core::marker::PhantomData,
+    };
 
     // The start v₀ in place of its constrained part c; then the bracket, with c in v(t).
     if units.theta < 1.0 {
@@ -166,7 +194,11 @@ pub fn step<R: Lanes, L: Layout>(
         for ((r, v), m) in work.r.iter_mut().zip(&*work.q).zip(rest.masses) {
             *r = core::array::from_fn(|a| r[a] + mass * m * v[a]);
         }
-        Operator { stiffness, ..operator }.add_stiffness::<R>(work.q, work.r);
+        Operator {
+            stiffness,
+            ..operator
+        }
+        .add_stiffness::<R>(work.q, work.r);
     }
     let rhs = filtered_norm(work.filter, work.r);
     let mut rhs_square = squared(&system, work.r, work.q);
@@ -182,10 +214,21 @@ pub fn step<R: Lanes, L: Layout>(
     let may_be_free = settings.start.is_augmented() && scene.pins.is_empty();
     let free = may_be_free & (contacts == 0);
     let per_mass = select(free, 1.0 / rest.header.total_mass, 0.0);
-    let translations =
-        may_be_free.then_some(Translations { masses: rest.masses, mass_factor: mass, per_mass });
+    let translations = may_be_free.then_some(Translations {
+        masses: rest.masses,
+        mass_factor: mass,
+        per_mass,
+    });
     let stored = settings.start.vectors() * nodes;
-    fill_space(rest, state, scene, settings.start, &units, work.filter, work.vectors);
+    fill_space(
+        rest,
+        state,
+        scene,
+        settings.start,
+        &units,
+        work.filter,
+        work.vectors,
+    );
     let mut space = Space {
         vectors: work.vectors.get_mut(..stored).unwrap_or_default(),
         products: work.products.get_mut(..stored).unwrap_or_default(),
@@ -221,7 +264,12 @@ pub fn step<R: Lanes, L: Layout>(
         return StepReport::refused(Refusal::OutOfRange);
     }
     commit(state, work);
-    fit_rotations::<R, L>(rest, state.x, Fit::Warm(settings.budget.polar_sweeps), state.rotations);
+    fit_rotations::<R, L>(
+        rest,
+        state.x,
+        Fit::Warm(settings.budget.polar_sweeps),
+        state.rotations,
+    );
     StepReport {
         refusal: None,
         rhs: rhs * units.impulse,
@@ -249,9 +297,16 @@ fn check<L: Layout>(
         work.inertia.len(),
     ];
     let vectors = [work.v.len(), work.r.len(), work.p.len(), work.q.len()];
-    let block_lists = [rest.stiffness.len(), state.rotations.len(), work.rotated.len()];
+    let block_lists = [
+        rest.stiffness.len(),
+        state.rotations.len(),
+        work.rotated.len(),
+    ];
     if nodes == 0
-        || node_lists.iter().chain(&vectors).any(|&length| length != nodes)
+        || node_lists
+            .iter()
+            .chain(&vectors)
+            .any(|&length| length != nodes)
         || block_lists.iter().any(|&length| length != blocks)
     {
         return Err(Refusal::Storage);
@@ -265,7 +320,9 @@ fn check<L: Layout>(
     if !(scene.forces.is_empty() || scene.forces.len() == nodes) {
         return Err(Refusal::Forces);
     }
-    let lost = (0_u32..).zip(scene.pins).find(|(_, pin)| pin.node as usize >= nodes);
+    let lost = (0_u32..)
+        .zip(scene.pins)
+        .find(|(_, pin)| pin.node as usize >= nodes);
     lost.map_or(Ok(()), |(pin, _)| Err(Refusal::Pin { pin }))
 }
 
@@ -377,7 +434,11 @@ fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>)
         return momentum(rest.masses, state.x).map(|sum| sum / rest.header.total_mass);
     }
     let (mut sum, mut count) = ([0.0_f32; 3], 0.0_f32);
-    for x in scene.pins.iter().filter_map(|pin| state.x.get(pin.node as usize)) {
+    for x in scene
+        .pins
+        .iter()
+        .filter_map(|pin| state.x.get(pin.node as usize))
+    {
         for axis in 0..3 {
             sum[axis] += x[axis];
         }
@@ -441,9 +502,11 @@ fn advance<L: Layout>(
     // Pins go where they are told, whatever is in the way.
     for pin in scene.pins {
         let node = pin.node as usize;
-        if let (Some(x), Some(x_new), Some(v_new)) =
-            (state.x.get(node), work.p.get_mut(node), work.v.get_mut(node))
-        {
+        if let (Some(x), Some(x_new), Some(v_new)) = (
+            state.x.get(node),
+            work.p.get_mut(node),
+            work.v.get_mut(node),
+        ) {
             *v_new = pin.velocity.to_array();
             *x_new = core::array::from_fn(|a| x[a] + h * v_new[a]);
         }

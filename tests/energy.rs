@@ -23,12 +23,16 @@ const EPS: f64 = f32::EPSILON as f64;
 
 /// The rotations that a state holds, as matrices in f64, tetrahedron by tetrahedron.
 fn frozen_rotations(state: &StateRef<'_>, tets: usize) -> Vec<Matrix3<f64>> {
-    let lanes =
-        state.rotations.iter().flat_map(|block| (0..8).map(move |l| block.0.map(|c| f64::from(c[l]))));
+    let lanes = state
+        .rotations
+        .iter()
+        .flat_map(|block| (0..8).map(move |l| block.0.map(|c| f64::from(c[l]))));
     lanes
         .take(tets)
         .map(|[w, x, y, z]| {
-            *UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_rotation_matrix().matrix()
+            *UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
+                .to_rotation_matrix()
+                .matrix()
         })
         .collect()
 }
@@ -68,41 +72,68 @@ fn account(setup: &Setup, body: &mut OwnedBody, settings: &Settings) -> Account 
     let (k, mass) = (oracle.stiffness(&q), oracle.mass());
     let (change, kv, mv) = (&v - &v_old, &k * &v, v.component_mul(&mass));
     let damped = oracle.alpha * mv.dot(&v) + oracle.beta * kv.dot(&v);
-    let loss = 0.5 * change.component_mul(&mass).dot(&change) + 0.5 * h * h * kv.dot(&v) + h * damped;
+    let loss =
+        0.5 * change.component_mul(&mass).dot(&change) + 0.5 * h * h * kv.dot(&v) + h * damped;
 
     // Rounding: a relative ε in every term of v⁺ᵀ(Av⁺ − b), where the errors of a row add up like
     // noise. f_el is a sum of K times edges; x⁺ is rounded where a force acts.
     let rows = |u: &DVector<f64>| {
         DVector::from_fn(k.nrows(), |i, _| {
-            k.row(i).iter().zip(u).map(|(k, u)| (k * u).powi(2)).sum::<f64>().sqrt()
+            k.row(i)
+                .iter()
+                .zip(u)
+                .map(|(k, u)| (k * u).powi(2))
+                .sum::<f64>()
+                .sqrt()
         })
     };
     let held = rows(&v) * (h * h + h * oracle.beta);
     let fallen = rows(&DVector::repeat(k.nrows(), edge)) * h;
-    let inertia = (v.map(f64::abs) + v_old.map(f64::abs)).component_mul(&mass) * (1.0 + h * oracle.alpha);
+    let inertia =
+        (v.map(f64::abs) + v_old.map(f64::abs)).component_mul(&mass) * (1.0 + h * oracle.alpha);
     let pushed = oracle.external_forces() * h;
-    let solved =
-        [held, fallen, inertia, pushed].iter().map(|noise| noise.component_mul(&v).norm()).sum::<f64>();
+    let solved = [held, fallen, inertia, pushed]
+        .iter()
+        .map(|noise| noise.component_mul(&v).norm())
+        .sum::<f64>();
     let moved = net.component_mul(&x).norm() + EPS * rows(&x).component_mul(&x).norm();
     oracle.x = x_old;
     Account {
         rise: energy(&oracle, &x, &v, &q) - before,
         loss,
         rounding: EPS * (solved + moved),
-        energy: 0.5 * v_old.component_mul(&mass).dot(&v_old) + oracle.elastic_energy_frozen(&oracle.x, &q),
+        energy: 0.5 * v_old.component_mul(&mass).dot(&v_old)
+            + oracle.elastic_energy_frozen(&oracle.x, &q),
     }
 }
 
 fn longest_edge(setup: &Setup, x: &[[f32; 3]]) -> f64 {
     let at = |node: u32| nalgebra::Vector3::from(x[node as usize].map(f64::from));
-    let pairs =
-        setup.mesh.tets.iter().flat_map(|t| t.iter().flat_map(move |&a| t.iter().map(move |&b| (a, b))));
-    pairs.map(|(a, b)| (at(a) - at(b)).norm()).fold(0.0, f64::max)
+    let pairs = setup
+        .mesh
+        .tets
+        .iter()
+        .flat_map(|t| t.iter().flat_map(move |&a| t.iter().map(move |&b| (a, b))));
+    pairs
+        .map(|(a, b)| (at(a) - at(b)).norm())
+        .fold(0.0, f64::max)
 }
 
-fn settings(setup: &Setup, start: Start, preconditioner: Preconditioner, iterations: u32) -> Settings {
-    let budget = Budget { iterations, polar_sweeps: 2 };
-    setup.settings().with_budget(budget).with_start(start).with_preconditioner(preconditioner)
+fn settings(
+    setup: &Setup,
+    start: Start,
+    preconditioner: Preconditioner,
+    iterations: u32,
+) -> Settings {
+    let budget = Budget {
+        iterations,
+        polar_sweeps: 2,
+    };
+    setup
+        .settings()
+        .with_budget(budget)
+        .with_start(start)
+        .with_preconditioner(preconditioner)
 }
 
 fn mesh() -> impl Strategy<Value = TetMesh> {
@@ -116,7 +147,11 @@ fn mesh() -> impl Strategy<Value = TetMesh> {
 }
 
 fn start() -> impl Strategy<Value = Start> {
-    prop_oneof![Just(Start::Zero), (0..5_u8).prop_map(Start::Galerkin), (0..4_u8).prop_map(Start::Rigid)]
+    prop_oneof![
+        Just(Start::Zero),
+        (0..5_u8).prop_map(Start::Galerkin),
+        (0..4_u8).prop_map(Start::Rigid)
+    ]
 }
 
 fn preconditioner() -> impl Strategy<Value = Preconditioner> {
@@ -131,7 +166,9 @@ fn preconditioner() -> impl Strategy<Value = Preconditioner> {
 /// Vectors with entries of size up to `size`, from a seed.
 fn noise(nodes: usize, size: f64, seed: u64) -> Vec<[f32; 3]> {
     let mut lcg = support::meshes::Lcg(seed);
-    (0..nodes).map(|_| std::array::from_fn(|_| (size * lcg.signed()) as f32)).collect()
+    (0..nodes)
+        .map(|_| std::array::from_fn(|_| (size * lcg.signed()) as f32))
+        .collect()
 }
 
 fn setup() -> impl Strategy<Value = Setup> {
@@ -141,7 +178,13 @@ fn setup() -> impl Strategy<Value = Setup> {
         prop_oneof![Just(0.0_f32), 0.0..2.0_f32],
         prop_oneof![Just(0.0_f32), 0.0..0.02_f32],
     );
-    let state = (any::<u64>(), 0.0..0.5_f64, -3.0..2.0_f64, 1e-3..0.03_f32, 0..4_usize);
+    let state = (
+        any::<u64>(),
+        0.0..0.5_f64,
+        -3.0..2.0_f64,
+        1e-3..0.03_f32,
+        0..4_usize,
+    );
     (mesh(), material, state).prop_map(
         |(mesh, (young, poisson, alpha, beta), (seed, deformation, speed, h, pins))| {
             let nodes = mesh.nodes.len();
@@ -149,11 +192,17 @@ fn setup() -> impl Strategy<Value = Setup> {
             (setup.young, setup.poisson, setup.alpha, setup.beta, setup.h) =
                 (10_f64.powf(young) as f32, poisson, alpha, beta, h);
             setup.gravity = [1.0, -9.81, 0.5];
-            for (x, d) in setup.x.iter_mut().zip(noise(nodes, 0.1 * deformation, seed)) {
+            for (x, d) in setup
+                .x
+                .iter_mut()
+                .zip(noise(nodes, 0.1 * deformation, seed))
+            {
                 *x = std::array::from_fn(|a| x[a] + d[a]);
             }
             setup.v = noise(nodes, 10_f64.powf(speed), seed ^ 1);
-            setup.pins = (0..pins.min(nodes)).map(|node| (node as u32, [0.0; 3])).collect();
+            setup.pins = (0..pins.min(nodes))
+                .map(|node| (node as u32, [0.0; 3]))
+                .collect();
             for &(node, _) in &setup.pins {
                 setup.v[node as usize] = [0.0; 3];
             }
@@ -169,11 +218,21 @@ const ALLOWED: f64 = 16.0;
 const CONJUGATE: u32 = 1;
 
 fn check(account: &Account, iterations: u32) -> Result<(), String> {
-    let Account { rise, loss, rounding, .. } = *account;
+    let Account {
+        rise,
+        loss,
+        rounding,
+        ..
+    } = *account;
     if rise > ALLOWED * rounding {
-        Err(format!("{iterations} iterations: the energy rises by {rise:e}, rounding is {rounding:e}"))
+        Err(format!(
+            "{iterations} iterations: the energy rises by {rise:e}, rounding is {rounding:e}"
+        ))
     } else if iterations <= CONJUGATE && rise + loss > ALLOWED * rounding {
-        Err(format!("{iterations} iterations: {rise:e} instead of {:e}, rounding is {rounding:e}", -loss))
+        Err(format!(
+            "{iterations} iterations: {rise:e} instead of {:e}, rounding is {rounding:e}",
+            -loss
+        ))
     } else {
         Ok(())
     }
@@ -202,12 +261,21 @@ proptest! {
 
 /// The free, spinning bar, at another stiffness.
 fn bar(young: f32) -> Setup {
-    Setup { young, ..scenes::free_spin() }
+    Setup {
+        young,
+        ..scenes::free_spin()
+    }
 }
 
 #[test]
 fn energy_never_rises_along_truncated_runs() {
-    let setups = [bar(1e5), bar(1e7), bar(1e9), scenes::cantilever(), scenes::two()];
+    let setups = [
+        bar(1e5),
+        bar(1e7),
+        bar(1e9),
+        scenes::cantilever(),
+        scenes::two(),
+    ];
     let starts = [
         Start::Zero,
         Start::Galerkin(0),
@@ -227,7 +295,10 @@ fn energy_never_rises_along_truncated_runs() {
                         &settings(setup, start, Preconditioner::Jacobi, iterations),
                     );
                     if let Err(why) = check(&account, iterations) {
-                        panic!("{} (E = {:e}), {start:?}, step {step}: {why}", setup.name, setup.young);
+                        panic!(
+                            "{} (E = {:e}), {start:?}, step {step}: {why}",
+                            setup.name, setup.young
+                        );
                     }
                 }
             }

@@ -8,8 +8,13 @@ use femto::mesh::{Mesh, MeshError, problems};
 use femto::owned::OwnedBody;
 use femto::settings::{Settings, SettingsError, Start};
 
-const NODES: [[f32; 3]; 5] =
-    [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]];
+const NODES: [[f32; 3]; 5] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 1.0, 1.0],
+];
 const TETS: [[u32; 4]; 2] = [[0, 1, 2, 3], [1, 2, 3, 4]];
 
 fn with_node(node: usize, x: [f32; 3]) -> Vec<[f32; 3]> {
@@ -28,14 +33,49 @@ fn meshes() {
         (&[], &[], MeshError::Empty),
         (&NODES, &[], MeshError::Empty),
         (&[], &TETS, MeshError::Empty),
-        (&with_node(4, [f32::NAN, 0.0, 0.0]), &TETS, MeshError::NonFiniteNode { node: 4 }),
-        (&with_node(2, [0.0, f32::INFINITY, 0.0]), &TETS, MeshError::NonFiniteNode { node: 2 }),
-        (&with_node(0, [0.0, 0.0, f32::NEG_INFINITY]), &TETS, MeshError::NonFiniteNode { node: 0 }),
-        (&NODES, &[TETS[0], [1, 2, 3, 5]], MeshError::NodeOutOfRange { tet: 1, node: 5 }),
-        (&NODES, &[[0, 1, 2, u32::MAX], TETS[1]], MeshError::NodeOutOfRange { tet: 0, node: u32::MAX }),
-        (&NODES, &[TETS[0], [1, 4, 3, 1]], MeshError::RepeatedNode { tet: 1, node: 1 }),
-        (&NODES, &[[3, 1, 2, 2], TETS[1]], MeshError::RepeatedNode { tet: 0, node: 2 }),
-        (&NODES, &[TETS[0], [2, 1, 3, 4]], MeshError::BadVolume { tet: 1 }),
+        (
+            &with_node(4, [f32::NAN, 0.0, 0.0]),
+            &TETS,
+            MeshError::NonFiniteNode { node: 4 },
+        ),
+        (
+            &with_node(2, [0.0, f32::INFINITY, 0.0]),
+            &TETS,
+            MeshError::NonFiniteNode { node: 2 },
+        ),
+        (
+            &with_node(0, [0.0, 0.0, f32::NEG_INFINITY]),
+            &TETS,
+            MeshError::NonFiniteNode { node: 0 },
+        ),
+        (
+            &NODES,
+            &[TETS[0], [1, 2, 3, 5]],
+            MeshError::NodeOutOfRange { tet: 1, node: 5 },
+        ),
+        (
+            &NODES,
+            &[[0, 1, 2, u32::MAX], TETS[1]],
+            MeshError::NodeOutOfRange {
+                tet: 0,
+                node: u32::MAX,
+            },
+        ),
+        (
+            &NODES,
+            &[TETS[0], [1, 4, 3, 1]],
+            MeshError::RepeatedNode { tet: 1, node: 1 },
+        ),
+        (
+            &NODES,
+            &[[3, 1, 2, 2], TETS[1]],
+            MeshError::RepeatedNode { tet: 0, node: 2 },
+        ),
+        (
+            &NODES,
+            &[TETS[0], [2, 1, 3, 4]],
+            MeshError::BadVolume { tet: 1 },
+        ),
         (&flat, &TETS, MeshError::BadVolume { tet: 0 }),
         (&tiny, &TETS, MeshError::BadVolume { tet: 0 }),
         (&NODES, &TETS[..1], MeshError::UnreferencedNode { node: 4 }),
@@ -50,7 +90,9 @@ fn meshes() {
 fn all_problems_of_a_mesh_are_listed() {
     let mut found = Vec::new();
     let nodes = with_node(4, [f32::NAN, 0.0, 0.0]);
-    problems(&nodes, &[[0, 1, 2, 9], [1, 1, 2, 3], [1, 0, 2, 3]], |p| found.push(p));
+    problems(&nodes, &[[0, 1, 2, 9], [1, 1, 2, 3], [1, 0, 2, 3]], |p| {
+        found.push(p)
+    });
     assert_eq!(
         found,
         [
@@ -80,26 +122,60 @@ fn unreferenced_nodes_of_a_large_mesh() {
     nodes.push([0.0; 3]);
     problems(&nodes, &tets, |p| found.push(p));
     let expected = (2044..2048).chain(4400..4404).chain(6000..6001);
-    assert_eq!(found, expected.map(|node| MeshError::UnreferencedNode { node }).collect::<Vec<_>>());
+    assert_eq!(
+        found,
+        expected
+            .map(|node| MeshError::UnreferencedNode { node })
+            .collect::<Vec<_>>()
+    );
 }
 
 #[test]
 fn materials() {
-    assert!(Material::new(1e6, 0.4, 1000.0).unwrap().with_damping(0.0, 0.0).is_ok());
+    assert!(
+        Material::new(1e6, 0.4, 1000.0)
+            .unwrap()
+            .with_damping(0.0, 0.0)
+            .is_ok()
+    );
     for young in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert!(matches!(Material::new(young, 0.3, 1.0), Err(MaterialError::Young(_))), "{young}");
+        assert!(
+            matches!(Material::new(young, 0.3, 1.0), Err(MaterialError::Young(_))),
+            "{young}"
+        );
     }
     for poisson in [0.5, 0.6, -1.0, -2.0, f32::NAN, f32::INFINITY] {
-        assert!(matches!(Material::new(1.0, poisson, 1.0), Err(MaterialError::Poisson(_))), "{poisson}");
+        assert!(
+            matches!(
+                Material::new(1.0, poisson, 1.0),
+                Err(MaterialError::Poisson(_))
+            ),
+            "{poisson}"
+        );
     }
     assert!(Material::new(1.0, 0.499_999, 1.0).is_ok() && Material::new(1.0, -0.999, 1.0).is_ok());
     for density in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert!(matches!(Material::new(1.0, 0.3, density), Err(MaterialError::Density(_))), "{density}");
+        assert!(
+            matches!(
+                Material::new(1.0, 0.3, density),
+                Err(MaterialError::Density(_))
+            ),
+            "{density}"
+        );
     }
     let material = Material::new(1.0, 0.3, 1.0).unwrap();
     for bad in [-1e-9, f32::NAN, f32::INFINITY] {
-        assert!(matches!(material.with_damping(bad, 0.0), Err(MaterialError::Alpha(_))), "{bad}");
-        assert!(matches!(material.with_damping(0.0, bad), Err(MaterialError::Beta(_))), "{bad}");
+        assert!(
+            matches!(
+                material.with_damping(bad, 0.0),
+                Err(MaterialError::Alpha(_))
+            ),
+            "{bad}"
+        );
+        assert!(
+            matches!(material.with_damping(0.0, bad), Err(MaterialError::Beta(_))),
+            "{bad}"
+        );
     }
     assert_eq!(
         Material::new(1.0, 0.5, 1.0).unwrap_err().to_string(),
@@ -110,29 +186,55 @@ fn materials() {
 #[test]
 fn settings() {
     for dt in [0.0, -0.01, f32::NAN, f32::INFINITY, 1e-40] {
-        assert!(matches!(Settings::new(dt), Err(SettingsError::Dt(_))), "{dt}");
+        assert!(
+            matches!(Settings::new(dt), Err(SettingsError::Dt(_))),
+            "{dt}"
+        );
     }
     let settings = Settings::new(0.01).unwrap();
     for theta in [0.499, 1.001, -1.0, f32::NAN] {
-        assert!(matches!(settings.with_theta(theta), Err(SettingsError::Theta(_))), "{theta}");
+        assert!(
+            matches!(settings.with_theta(theta), Err(SettingsError::Theta(_))),
+            "{theta}"
+        );
     }
     assert!(settings.with_theta(0.5).is_ok() && settings.with_theta(1.0).is_ok());
 }
 
 #[test]
 fn colliders() {
-    for normal in [Vec3::ZERO, Vec3::NAN, Vec3::splat(f32::INFINITY), Vec3::splat(1e30)] {
-        assert_eq!(Collider::half_space(normal, 0.0), Err(ColliderError::Normal), "{normal}");
+    for normal in [
+        Vec3::ZERO,
+        Vec3::NAN,
+        Vec3::splat(f32::INFINITY),
+        Vec3::splat(1e30),
+    ] {
+        assert_eq!(
+            Collider::half_space(normal, 0.0),
+            Err(ColliderError::Normal),
+            "{normal}"
+        );
     }
-    assert_eq!(Collider::half_space(Vec3::Y, f32::NAN), Err(ColliderError::Place));
+    assert_eq!(
+        Collider::half_space(Vec3::Y, f32::NAN),
+        Err(ColliderError::Place)
+    );
     assert_eq!(Collider::sphere(Vec3::NAN, 1.0), Err(ColliderError::Place));
     for radius in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert_eq!(Collider::sphere(Vec3::ZERO, radius), Err(ColliderError::Radius), "{radius}");
+        assert_eq!(
+            Collider::sphere(Vec3::ZERO, radius),
+            Err(ColliderError::Radius),
+            "{radius}"
+        );
     }
     let plane = Collider::half_space(Vec3::new(0.0, 2.0, 0.0), 1.0).unwrap();
     assert_eq!(plane.distance(Vec3::new(5.0, 3.0, 0.0)), (2.0, Vec3::Y));
     for friction in [-0.1, f32::NAN, f32::INFINITY] {
-        assert_eq!(plane.with_friction(friction), Err(ColliderError::Friction), "{friction}");
+        assert_eq!(
+            plane.with_friction(friction),
+            Err(ColliderError::Friction),
+            "{friction}"
+        );
     }
     assert_eq!(plane.with_velocity(Vec3::NAN), Err(ColliderError::Velocity));
 }
@@ -144,9 +246,21 @@ fn placing() {
     let mut body: OwnedBody = OwnedBody::new(&mesh, &material, Start::default()).unwrap();
     let before = body.state().clone();
     let bad = with_node(3, [0.0, f32::NAN, 0.0]);
-    assert_eq!(body.place(&NODES[..4], &NODES), Err(StateError::Length { given: 4, nodes: 5 }));
-    assert_eq!(body.place(&NODES, &NODES[..1]), Err(StateError::Length { given: 1, nodes: 5 }));
-    assert_eq!(body.place(&bad, &NODES), Err(StateError::NonFinite { node: 3 }));
-    assert_eq!(body.place(&NODES, &bad), Err(StateError::NonFinite { node: 3 }));
+    assert_eq!(
+        body.place(&NODES[..4], &NODES),
+        Err(StateError::Length { given: 4, nodes: 5 })
+    );
+    assert_eq!(
+        body.place(&NODES, &NODES[..1]),
+        Err(StateError::Length { given: 1, nodes: 5 })
+    );
+    assert_eq!(
+        body.place(&bad, &NODES),
+        Err(StateError::NonFinite { node: 3 })
+    );
+    assert_eq!(
+        body.place(&NODES, &bad),
+        Err(StateError::NonFinite { node: 3 })
+    );
     assert_eq!(*body.state(), before);
 }

@@ -9,13 +9,29 @@ use femto::settings::{Budget, Preconditioner, Settings, Start};
 use nalgebra::Vector3;
 use support::scenes::{self, Setup};
 
-const PRECONDITIONERS: [Preconditioner; 4] =
-    [Preconditioner::Identity, Preconditioner::Mass, Preconditioner::Jacobi, Preconditioner::BlockJacobi];
+const PRECONDITIONERS: [Preconditioner; 4] = [
+    Preconditioner::Identity,
+    Preconditioner::Mass,
+    Preconditioner::Jacobi,
+    Preconditioner::BlockJacobi,
+];
 const STEPS: usize = 150;
 
-fn settings(setup: &Setup, start: Start, preconditioner: Preconditioner, iterations: u32) -> Settings {
-    let budget = Budget { iterations, polar_sweeps: 2 };
-    setup.settings().with_budget(budget).with_start(start).with_preconditioner(preconditioner)
+fn settings(
+    setup: &Setup,
+    start: Start,
+    preconditioner: Preconditioner,
+    iterations: u32,
+) -> Settings {
+    let budget = Budget {
+        iterations,
+        polar_sweeps: 2,
+    };
+    setup
+        .settings()
+        .with_budget(budget)
+        .with_start(start)
+        .with_preconditioner(preconditioner)
 }
 
 fn linear(body: &OwnedBody) -> Vector3<f64> {
@@ -39,14 +55,23 @@ fn spin(body: &OwnedBody) -> Vector3<f64> {
 
 /// A bar thrown and spinning under gravity.
 fn thrown(young: f32, alpha: f32, theta: f32) -> Setup {
-    Setup { young, alpha, theta, ..scenes::free_spin() }
+    Setup {
+        young,
+        alpha,
+        theta,
+        ..scenes::free_spin()
+    }
 }
 
 /// Worst |p − p_exact| along a run, in units of the largest momentum that was around, and the worst
 /// distance of the centre from its parabola, metres.
 fn drift(setup: &Setup, settings: &Settings) -> (f64, f64) {
     let mut body: OwnedBody = setup.body(settings.start);
-    let (h, theta, alpha) = (f64::from(setup.h), f64::from(setup.theta), f64::from(setup.alpha));
+    let (h, theta, alpha) = (
+        f64::from(setup.h),
+        f64::from(setup.theta),
+        f64::from(setup.alpha),
+    );
     let mass: f64 = body.rest().masses.iter().map(|m| f64::from(*m)).sum();
     let weight = Vector3::from(setup.gravity.map(f64::from)) * mass;
     let (mut p, mut c) = (linear(&body), centre(&body));
@@ -71,14 +96,26 @@ fn linear_momentum_is_exact_at_every_budget() {
     let bound = 4.0 * f64::from(f32::EPSILON) * (STEPS as f64).sqrt();
     // The positions (of the order of 10 m at the end) round at ε/2 a step, too.
     let travel = 10.0 * bound + bound * 15.0 * STEPS as f64 / 150.0;
-    for setup in [thrown(1e6, 0.0, 1.0), thrown(1e8, 0.0, 1.0), thrown(1e7, 0.7, 0.5)] {
-        for start in
-            [Start::Galerkin(0), Start::Galerkin(1), Start::Galerkin(3), Start::Rigid(0), Start::Rigid(2)]
-        {
+    for setup in [
+        thrown(1e6, 0.0, 1.0),
+        thrown(1e8, 0.0, 1.0),
+        thrown(1e7, 0.7, 0.5),
+    ] {
+        for start in [
+            Start::Galerkin(0),
+            Start::Galerkin(1),
+            Start::Galerkin(3),
+            Start::Rigid(0),
+            Start::Rigid(2),
+        ] {
             for preconditioner in PRECONDITIONERS {
                 for iterations in [0, 1, 2, 5] {
-                    let (worst, astray) = drift(&setup, &settings(&setup, start, preconditioner, iterations));
-                    let case = format!("E = {:e}, {start:?}, {preconditioner:?}, {iterations}", setup.young);
+                    let (worst, astray) =
+                        drift(&setup, &settings(&setup, start, preconditioner, iterations));
+                    let case = format!(
+                        "E = {:e}, {start:?}, {preconditioner:?}, {iterations}",
+                        setup.young
+                    );
                     assert!(worst < bound, "{case}: momentum off by {worst:e}");
                     assert!(astray < travel, "{case}: centre off by {astray:e} m");
                 }
@@ -90,14 +127,20 @@ fn linear_momentum_is_exact_at_every_budget() {
 #[test]
 fn the_velocity_start_gets_free_fall_wrong() {
     let setup = thrown(1e6, 0.0, 1.0);
-    let (worst, astray) = drift(&setup, &settings(&setup, Start::Velocity, Preconditioner::Jacobi, 3));
+    let (worst, astray) = drift(
+        &setup,
+        &settings(&setup, Start::Velocity, Preconditioner::Jacobi, 3),
+    );
     println!("velocity, Jacobi, 3 iterations: momentum off by {worst}, centre by {astray} m");
     assert!(worst > 0.2 && astray > 0.5);
 }
 
 /// Relative drift of |L| after a second of free spin without gravity.
 fn spin_drift(young: f32, start: Start, iterations: u32) -> f64 {
-    let setup = Setup { gravity: [0.0; 3], ..thrown(young, 0.0, 1.0) };
+    let setup = Setup {
+        gravity: [0.0; 3],
+        ..thrown(young, 0.0, 1.0)
+    };
     let mut body: OwnedBody = setup.body(start);
     let before = spin(&body);
     let settings = settings(&setup, start, Preconditioner::Jacobi, iterations);

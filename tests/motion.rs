@@ -7,7 +7,10 @@ use femto::element::{Dense, Factored, Layout};
 use femto::settings::{Budget, Preconditioner, Start};
 use support::scenes::{self, Setup, distance};
 
-const CONVERGED: Budget = Budget { iterations: 400, polar_sweeps: 8 };
+const CONVERGED: Budget = Budget {
+    iterations: 400,
+    polar_sweeps: 8,
+};
 
 /// A step rounds a position once (6e-8), and its velocity times h is known to better.
 const ONE_STEP: f64 = 2.0 * f32::EPSILON as f64;
@@ -17,12 +20,20 @@ const RUN: f64 = 1e-4;
 const HELD_RUN: f64 = 2e-6;
 
 /// Distances after the first step and after `steps`, over the bounding box.
-fn run<L: Layout>(setup: &Setup, start: Start, preconditioner: Preconditioner, steps: usize) -> (f64, f64) {
+fn run<L: Layout>(
+    setup: &Setup,
+    start: Start,
+    preconditioner: Preconditioner,
+    steps: usize,
+) -> (f64, f64) {
     let mut body = setup.body::<L>(start);
     let mut reference = setup.reference();
     let pins = setup.pin_list();
-    let settings =
-        setup.settings().with_budget(CONVERGED).with_start(start).with_preconditioner(preconditioner);
+    let settings = setup
+        .settings()
+        .with_budget(CONVERGED)
+        .with_start(start)
+        .with_preconditioner(preconditioner);
     let mut first = 0.0;
     for step in 0..steps {
         let report = body.step(&setup.scene(&pins), &settings);
@@ -55,7 +66,11 @@ fn two_hundred_steps_follow_the_oracle() {
 
 #[test]
 fn the_velocity_force_start_agrees_where_it_converges() {
-    let (first, last) =
-        run::<Factored>(&scenes::cantilever(), Start::VelocityForce, Preconditioner::Jacobi, 50);
+    let (first, last) = run::<Factored>(
+        &scenes::cantilever(),
+        Start::VelocityForce,
+        Preconditioner::Jacobi,
+        50,
+    );
     assert!(first < ONE_STEP && last < HELD_RUN, "{first:e} {last:e}");
 }

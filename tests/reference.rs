@@ -33,7 +33,8 @@ fn random(len: usize, amount: f64, seed: u64) -> DVector<f64> {
 fn affine(rest: &DVector<f64>, F: &Matrix3<f64>, t: Vector3<f64>) -> DVector<f64> {
     let mut x = rest.clone();
     for i in 0..x.len() / 3 {
-        x.fixed_rows_mut::<3>(3 * i).copy_from(&(F * node(rest, i) + t));
+        x.fixed_rows_mut::<3>(3 * i)
+            .copy_from(&(F * node(rest, i) + t));
     }
     x
 }
@@ -98,8 +99,14 @@ fn meshes_have_positive_volume_and_the_stated_order() {
             within((volume - expected).abs(), 1e-6 * expected);
         }
         let body = body(mesh);
-        within((body.volumes.iter().sum::<f64>() - volume).abs(), 1e-13 * volume);
-        within((body.masses.iter().sum::<f64>() - 1000.0 * volume).abs(), 1e-10 * volume);
+        within(
+            (body.volumes.iter().sum::<f64>() - volume).abs(),
+            1e-13 * volume,
+        );
+        within(
+            (body.masses.iter().sum::<f64>() - 1000.0 * volume).abs(),
+            1e-10 * volume,
+        );
     }
 }
 
@@ -292,7 +299,10 @@ fn uniform_stretch_is_exact() {
             }
         }
         if eps == pull {
-            within((energy - 0.5 * 8.0 * YOUNG * 0.2 * 0.2).abs(), ELEMENT * energy);
+            within(
+                (energy - 0.5 * 8.0 * YOUNG * 0.2 * 0.2).abs(),
+                ELEMENT * energy,
+            );
             let expected = large_rotation().column(0) * (-4.0 * YOUNG * 0.2);
             within((end - expected).norm(), 16.0 * rounding);
         }
@@ -380,7 +390,10 @@ fn energy_balances_in_every_step() {
             let (A, _) = before.system(Q);
             let residual = 3.0 * M.len() as f64 * f64::EPSILON * A.norm() * body.v.norm();
             let rounding = ELEMENT * (body.kinetic() + K.norm() * body.x.norm_squared());
-            within((change - expected).abs(), residual * v_theta.norm() + rounding);
+            within(
+                (change - expected).abs(),
+                residual * v_theta.norm() + rounding,
+            );
             assert!(rounding < 1e-6 * body.kinetic());
         }
     }
@@ -426,7 +439,10 @@ fn pins_are_exact() {
         for i in 0..4 {
             assert_eq!(node(&body.v, i), Vector3::from(velocity));
             let path = node(&start, i) + Vector3::from(velocity) * (n as f64 * body.h);
-            within((node(&body.x, i) - path).norm(), 5.0 * f64::EPSILON * path.norm());
+            within(
+                (node(&body.x, i) - path).norm(),
+                5.0 * f64::EPSILON * path.norm(),
+            );
         }
     }
     body.pins.fill(Some(velocity));
@@ -439,7 +455,10 @@ fn pins_are_exact() {
 fn momenta_of_a_spin() {
     let mut body = body(&box_mesh([1.0, 2.0, 3.0], [2, 2, 2]));
     let mass = body.masses.iter().sum::<f64>();
-    let shift = body.rest.clone().map_with_location(|d, _, x| x - [0.5, 1.0, 1.5][d % 3]);
+    let shift = body
+        .rest
+        .clone()
+        .map_with_location(|d, _, x| x - [0.5, 1.0, 1.5][d % 3]);
     let omega = Vector3::new(0.3, -0.2, 0.5);
     body.x = shift.clone();
     body.v = spin(&shift, omega);
@@ -447,7 +466,10 @@ fn momenta_of_a_spin() {
     let tol = 100.0 * f64::EPSILON * mass * shift.norm();
     // the box is symmetric, the mesh only under point reflection: enough for p = 0
     within(body.linear_momentum().norm(), tol);
-    within((body.kinetic() - 0.5 * omega.dot(&body.angular_momentum())).abs(), tol);
+    within(
+        (body.kinetic() - 0.5 * omega.dot(&body.angular_momentum())).abs(),
+        tol,
+    );
     within(body.potential().abs(), 9.81 * tol);
     body.x = body.rest.clone();
     within((body.potential() - mass * 9.81).abs(), 9.81 * tol); // its centre is at y = 1

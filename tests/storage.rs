@@ -28,7 +28,10 @@ fn setup() -> Setup {
 }
 
 fn colliders() -> [Collider; 1] {
-    [Collider::half_space(Vec3::new(0.1, 1.0, 0.0), 0.0).unwrap().with_friction(0.3).unwrap()]
+    [Collider::half_space(Vec3::new(0.1, 1.0, 0.0), 0.0)
+        .unwrap()
+        .with_friction(0.3)
+        .unwrap()]
 }
 
 fn settings(setup: &Setup) -> Settings {
@@ -36,13 +39,18 @@ fn settings(setup: &Setup) -> Settings {
 }
 
 fn hash(body: &OwnedBody) -> u64 {
-    StateHash::new().with(body.positions(), body.velocities()).value()
+    StateHash::new()
+        .with(body.positions(), body.velocities())
+        .value()
 }
 
 #[test]
 fn a_hundred_steps_equal_fifty_snapshot_restore_fifty() {
     let (setup, colliders) = (setup(), colliders());
-    let scene = Scene { colliders: &colliders, ..setup.scene(&[]) };
+    let scene = Scene {
+        colliders: &colliders,
+        ..setup.scene(&[])
+    };
     let run = |body: &mut OwnedBody, steps| {
         for _ in 0..steps {
             assert!(body.step(&scene, &settings(&setup)).advanced());
@@ -79,13 +87,32 @@ fn a_refused_step_leaves_the_state_as_it_was() {
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
         let mut forces = vec![[0.0; 3]; nodes];
         forces[nodes / 2][1] = bad;
-        let report = body.step(&Scene { forces: &forces, ..setup.scene(&[]) }, &settings(&setup));
-        let expected = if bad.is_finite() { Refusal::OutOfRange } else { Refusal::NonFinite { node: 0 } };
+        let report = body.step(
+            &Scene {
+                forces: &forces,
+                ..setup.scene(&[])
+            },
+            &settings(&setup),
+        );
+        let expected = if bad.is_finite() {
+            Refusal::OutOfRange
+        } else {
+            Refusal::NonFinite { node: 0 }
+        };
         assert_eq!(report.refusal, Some(expected), "{bad}");
         assert_eq!(*body.state(), before);
     }
-    let report = body.step(&Scene { gravity: Vec3::NAN, ..setup.scene(&[]) }, &settings(&setup));
-    assert!(matches!(report.refusal, Some(Refusal::NonFinite { node: 0 })), "{report:?}");
+    let report = body.step(
+        &Scene {
+            gravity: Vec3::NAN,
+            ..setup.scene(&[])
+        },
+        &settings(&setup),
+    );
+    assert!(
+        matches!(report.refusal, Some(Refusal::NonFinite { node: 0 })),
+        "{report:?}"
+    );
     assert_eq!(*body.state(), before);
     // And it goes on as if nothing had been.
     let mut other = setup.body(START);
@@ -102,12 +129,29 @@ fn what_a_step_refuses_by_name() {
     let mut body: OwnedBody = setup.body(Start::Galerkin(1));
     let before = body.state().clone();
     let nodes = setup.x.len();
-    let pins = [femto::constraint::Pin::held(0), femto::constraint::Pin::held(nodes as u32)];
+    let pins = [
+        femto::constraint::Pin::held(0),
+        femto::constraint::Pin::held(nodes as u32),
+    ];
     let forces = vec![[0.0; 3]; nodes - 1];
     let plain = setup.scene(&[]);
     let cases = [
-        (Scene { pins: &pins, ..plain }, Start::Galerkin(1), Refusal::Pin { pin: 1 }),
-        (Scene { forces: &forces, ..plain }, Start::Galerkin(1), Refusal::Forces),
+        (
+            Scene {
+                pins: &pins,
+                ..plain
+            },
+            Start::Galerkin(1),
+            Refusal::Pin { pin: 1 },
+        ),
+        (
+            Scene {
+                forces: &forces,
+                ..plain
+            },
+            Start::Galerkin(1),
+            Refusal::Forces,
+        ),
         (plain, Start::Galerkin(2), Refusal::History),
         (plain, Start::Rigid(1), Refusal::Vectors),
     ];
@@ -119,13 +163,24 @@ fn what_a_step_refuses_by_name() {
     // A workspace or state of another size.
     let rest = body.rest();
     let (small, mut state) = (box_mesh([1.0; 3], [1; 3]), body.state().clone());
-    let small = OwnedRest::<Factored>::new(&Mesh::new(&small.nodes, &small.tets).unwrap(), &setup.material())
-        .unwrap();
+    let small = OwnedRest::<Factored>::new(
+        &Mesh::new(&small.nodes, &small.tets).unwrap(),
+        &setup.material(),
+    )
+    .unwrap();
     let mut work = OwnedWorkspace::new(&small.view(), Start::Galerkin(1));
-    let report =
-        step::<Native, _>(&rest, &mut state.view_mut(), &mut work.view_mut(&rest), &plain, &setup.settings());
+    let report = step::<Native, _>(
+        &rest,
+        &mut state.view_mut(),
+        &mut work.view_mut(&rest),
+        &plain,
+        &setup.settings(),
+    );
     assert_eq!(report.refusal, Some(Refusal::Storage));
-    assert_eq!(Body::<8, 1>::new().step(&plain, &setup.settings()).refusal, Some(Refusal::Storage));
+    assert_eq!(
+        Body::<8, 1>::new().step(&plain, &setup.settings()).refusal,
+        Some(Refusal::Storage)
+    );
 }
 
 const NODES: usize = 63;
@@ -135,7 +190,10 @@ type Fixed = Body<NODES, BLOCKS, { START.history() }, { START.vectors() }>;
 #[test]
 fn fixed_and_run_time_storage_give_the_same_bits() {
     let (setup, colliders) = (setup(), colliders());
-    let scene = Scene { colliders: &colliders, ..setup.scene(&[]) };
+    let scene = Scene {
+        colliders: &colliders,
+        ..setup.scene(&[])
+    };
     let mesh = Mesh::new(&setup.mesh.nodes, &setup.mesh.tets).unwrap();
     let mut fixed = Box::new(Fixed::new());
     fixed.fill(&mesh, &setup.material()).unwrap();
@@ -146,7 +204,10 @@ fn fixed_and_run_time_storage_give_the_same_bits() {
         if step == 20 {
             saved.copy_from(fixed.state());
         }
-        assert_eq!(fixed.step(&scene, &settings(&setup)), owned.step(&scene, &settings(&setup)));
+        assert_eq!(
+            fixed.step(&scene, &settings(&setup)),
+            owned.step(&scene, &settings(&setup))
+        );
     }
     assert_eq!(fixed.positions(), owned.positions());
     assert_eq!(fixed.energies(Vec3::Y), owned.energies(Vec3::Y));
@@ -171,7 +232,11 @@ fn rest_data_and_workspace_are_shared() {
     let mut alone: OwnedBody = setup.body(Start::Galerkin(1));
     for (i, state) in states.iter_mut().enumerate() {
         state.reset(&rest).unwrap();
-        let v = if i == 0 { setup.v.clone() } else { vec![[0.0, 1.0, 0.0]; setup.v.len()] };
+        let v = if i == 0 {
+            setup.v.clone()
+        } else {
+            vec![[0.0, 1.0, 0.0]; setup.v.len()]
+        };
         state.view_mut().place(&rest, &setup.x, &v).unwrap();
     }
     for _ in 0..10 {
@@ -197,10 +262,23 @@ fn bytes_are_known_at_compile_time() {
     const WORK: usize = workspace_bytes::<Factored>(NODES, BLOCKS, START.vectors());
     const REST: usize = rest_bytes::<Factored>(NODES, BLOCKS);
     // The storage types add lengths and padding to 32 bytes, nothing more.
-    let overhead = |whole: usize, parts: usize| whole.checked_sub(parts).is_some_and(|rest| rest < 128);
-    assert!(overhead(Fixed::STATE_BYTES, STATE), "{} {STATE}", Fixed::STATE_BYTES);
-    assert!(overhead(Fixed::WORKSPACE_BYTES, WORK), "{} {WORK}", Fixed::WORKSPACE_BYTES);
-    assert!(overhead(Fixed::REST_BYTES, REST), "{} {REST}", Fixed::REST_BYTES);
+    let overhead =
+        |whole: usize, parts: usize| whole.checked_sub(parts).is_some_and(|rest| rest < 128);
+    assert!(
+        overhead(Fixed::STATE_BYTES, STATE),
+        "{} {STATE}",
+        Fixed::STATE_BYTES
+    );
+    assert!(
+        overhead(Fixed::WORKSPACE_BYTES, WORK),
+        "{} {WORK}",
+        Fixed::WORKSPACE_BYTES
+    );
+    assert!(
+        overhead(Fixed::REST_BYTES, REST),
+        "{} {REST}",
+        Fixed::REST_BYTES
+    );
     assert_eq!(
         workspace_bytes::<Dense>(NODES, BLOCKS, 0) - workspace_bytes::<Factored>(NODES, BLOCKS, 0),
         BLOCKS * 8 * (216 - 36)
@@ -213,9 +291,21 @@ fn a_mesh_that_does_not_fit_changes_nothing() {
     let mesh = Mesh::new(&setup.mesh.nodes, &setup.mesh.tets).unwrap();
     let material = setup.material();
     let mut body = Body::<NODES, 1>::new();
-    assert_eq!(body.fill(&mesh, &material), Err(MeshError::TooManyTets { needed: 144, capacity: 8 }));
+    assert_eq!(
+        body.fill(&mesh, &material),
+        Err(MeshError::TooManyTets {
+            needed: 144,
+            capacity: 8
+        })
+    );
     let mut body = Body::<62, BLOCKS>::new();
-    assert_eq!(body.fill(&mesh, &material), Err(MeshError::TooManyNodes { needed: 63, capacity: 62 }));
+    assert_eq!(
+        body.fill(&mesh, &material),
+        Err(MeshError::TooManyNodes {
+            needed: 63,
+            capacity: 62
+        })
+    );
     let small = box_mesh([1.0; 3], [1; 3]);
     let small = Mesh::new(&small.nodes, &small.tets).unwrap();
     body.fill(&small, &material).unwrap();
@@ -226,7 +316,10 @@ fn a_mesh_that_does_not_fit_changes_nothing() {
     let mut large = box_mesh([1e4; 3], [1; 3]);
     large.nodes[0][0] -= 1.0;
     let large = Mesh::new(&large.nodes, &large.tets).unwrap();
-    assert_eq!(body.fill(&large, &heavy), Err(MeshError::OutOfScale { tet: 0 }));
+    assert_eq!(
+        body.fill(&large, &heavy),
+        Err(MeshError::OutOfScale { tet: 0 })
+    );
     assert_eq!(body.positions(), before);
 }
 
@@ -237,7 +330,14 @@ fn a_body_lives_in_a_static() {
     static BODY: Mutex<Fixed> = Mutex::new(Fixed::new());
     let setup = setup();
     let mut body = BODY.lock().unwrap();
-    body.fill(&Mesh::new(&setup.mesh.nodes, &setup.mesh.tets).unwrap(), &setup.material()).unwrap();
-    let settings = settings(&setup).with_budget(Budget { iterations: 3, polar_sweeps: 1 });
+    body.fill(
+        &Mesh::new(&setup.mesh.nodes, &setup.mesh.tets).unwrap(),
+        &setup.material(),
+    )
+    .unwrap();
+    let settings = settings(&setup).with_budget(Budget {
+        iterations: 3,
+        polar_sweeps: 1,
+    });
     assert!(body.step(&setup.scene(&[]), &settings).advanced());
 }

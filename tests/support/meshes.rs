@@ -7,7 +7,10 @@ pub struct Lcg(pub u64);
 impl Lcg {
     /// Uniform in [−1, 1); the high bits, since the low ones of an LCG repeat early.
     pub fn signed(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 }
@@ -40,7 +43,14 @@ impl TetMesh {
 /// A box with its low corner at the origin. Node (i, j, k) has index (i·(ny+1) + j)·(nz+1) + k;
 /// each cell gives the six tets that walk from its low to its high corner along the axes.
 pub fn box_mesh(size: [f64; 3], cells: [usize; 3]) -> TetMesh {
-    const WALKS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    const WALKS: [[usize; 3]; 6] = [
+        [0, 1, 2],
+        [0, 2, 1],
+        [1, 0, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [2, 1, 0],
+    ];
     let [nx, ny, nz] = cells;
     let index = |[i, j, k]: [usize; 3]| ((i * (ny + 1) + j) * (nz + 1) + k) as u32;
     let mut mesh = TetMesh::default();
@@ -48,7 +58,8 @@ pub fn box_mesh(size: [f64; 3], cells: [usize; 3]) -> TetMesh {
         for j in 0..=ny {
             for k in 0..=nz {
                 let at = [i, j, k];
-                mesh.nodes.push([0, 1, 2].map(|a| (size[a] * at[a] as f64 / cells[a] as f64) as f32));
+                mesh.nodes
+                    .push([0, 1, 2].map(|a| (size[a] * at[a] as f64 / cells[a] as f64) as f32));
             }
         }
     }
@@ -84,8 +95,10 @@ pub fn two_pieces() -> TetMesh {
     let mut mesh = box_mesh([1.0, 0.5, 0.5], [2, 1, 1]);
     let other = box_mesh([0.5, 1.0, 0.5], [1, 2, 1]);
     let first = mesh.nodes.len() as u32;
-    mesh.nodes.extend(other.nodes.iter().map(|&[x, y, z]| [x + 1.5, y, z]));
-    mesh.tets.extend(other.tets.iter().map(|tet| tet.map(|i| i + first)));
+    mesh.nodes
+        .extend(other.nodes.iter().map(|&[x, y, z]| [x + 1.5, y, z]));
+    mesh.tets
+        .extend(other.tets.iter().map(|tet| tet.map(|i| i + first)));
     mesh
 }
 
@@ -99,11 +112,13 @@ pub fn chain(n: usize, shared: usize) -> TetMesh {
     let mut mesh = TetMesh::default();
     let (mut x, mut y) = (r, 0.0);
     for k in 0..(n - 1) * stride + 4 {
-        mesh.nodes.push([x as f32, y as f32, (k as f64 / 10f64.sqrt()) as f32]);
+        mesh.nodes
+            .push([x as f32, y as f32, (k as f64 / 10f64.sqrt()) as f32]);
         (x, y) = (x * cos - y * sin, x * sin + y * cos);
     }
     for e in 0..n {
-        mesh.tets.push([0, 1, 2, 3].map(|i| (e * stride + i) as u32));
+        mesh.tets
+            .push([0, 1, 2, 3].map(|i| (e * stride + i) as u32));
     }
     mesh.orient();
     mesh

@@ -48,7 +48,13 @@ pub struct Reference {
 #[allow(non_snake_case)]
 impl Reference {
     /// At rest, free, undamped, weightless; backward Euler with h = 0.01.
-    pub fn new(nodes: &[[f32; 3]], tets: &[[u32; 4]], young: f64, poisson: f64, density: f64) -> Self {
+    pub fn new(
+        nodes: &[[f32; 3]],
+        tets: &[[u32; 4]],
+        young: f64,
+        poisson: f64,
+        density: f64,
+    ) -> Self {
         let rest = stack(nodes);
         let tets: Vec<[usize; 4]> = tets.iter().map(|tet| tet.map(|i| i as usize)).collect();
         let mut masses = vec![0.0; nodes.len()];
@@ -93,7 +99,9 @@ impl Reference {
     }
 
     pub fn rotations(&self, x: &DVector<f64>) -> Vec<Matrix3<f64>> {
-        (0..self.tets.len()).map(|e| nearest_rotation(&self.deformation(x, e))).collect()
+        (0..self.tets.len())
+            .map(|e| nearest_rotation(&self.deformation(x, e)))
+            .collect()
     }
 
     /// E with the nearest rotations.
@@ -118,7 +126,8 @@ impl Reference {
         for (e, tet) in self.tets.iter().enumerate() {
             let strain = strain(&Q[e], &self.deformation(x, e));
             // σ = λ tr(ε) I + 2μ ε
-            let stress = Matrix3::identity() * (self.lambda * strain.trace()) + strain * (2.0 * self.mu);
+            let stress =
+                Matrix3::identity() * (self.lambda * strain.trace()) + strain * (2.0 * self.mu);
             for (&i, g) in tet.iter().zip(&self.gradients[e]) {
                 let mut f_i = f.fixed_rows_mut::<3>(3 * i);
                 f_i -= Q[e] * stress * g * self.volumes[e];
@@ -177,13 +186,17 @@ impl Reference {
         let f = self.elastic_forces(&self.x, Q) + self.external_forces();
         // what multiplies v⁺ in the step, and all the rest; so b − A v = h f − θh² K v − h D v
         let A = &M + &K * (theta * theta * h * h) + &D * (theta * h);
-        let b = &M * &v + f * h - &K * &v * (theta * (1.0 - theta) * h * h) - &D * &v * ((1.0 - theta) * h);
+        let b = &M * &v + f * h
+            - &K * &v * (theta * (1.0 - theta) * h * h)
+            - &D * &v * ((1.0 - theta) * h);
         (A, b)
     }
 
     /// v⁺: prescribed where pinned; elsewhere A_ff v_f = b_f − A_fp v_p by Cholesky.
     pub fn solve(&self, A: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
-        let free: Vec<usize> = (0..b.len()).filter(|&d| self.pins[d / 3].is_none()).collect();
+        let free: Vec<usize> = (0..b.len())
+            .filter(|&d| self.pins[d / 3].is_none())
+            .collect();
         let mut v = self.pinned_velocity();
         for &dof in &free {
             v[dof] = 0.0;
@@ -193,7 +206,10 @@ impl Reference {
         }
         let right = (b - A * &v).select_rows(&free);
         let A_ff = A.select_rows(&free).select_columns(&free);
-        let v_f = A_ff.cholesky().expect("A is positive definite").solve(&right);
+        let v_f = A_ff
+            .cholesky()
+            .expect("A is positive definite")
+            .solve(&right);
         for (&dof, value) in free.iter().zip(&v_f) {
             v[dof] = *value;
         }
@@ -220,7 +236,9 @@ impl Reference {
     pub fn potential(&self) -> f64 {
         let g = Vector3::from(self.gravity);
         let masses = self.masses.iter().enumerate();
-        -masses.map(|(i, m)| m * g.dot(&node(&self.x, i))).sum::<f64>()
+        -masses
+            .map(|(i, m)| m * g.dot(&node(&self.x, i)))
+            .sum::<f64>()
     }
 
     /// Σ m v
@@ -232,12 +250,16 @@ impl Reference {
     /// Σ m x × v, about the origin
     pub fn angular_momentum(&self) -> Vector3<f64> {
         let masses = self.masses.iter().enumerate();
-        masses.map(|(i, &m)| node(&self.x, i).cross(&node(&self.v, i)) * m).sum()
+        masses
+            .map(|(i, &m)| node(&self.x, i).cross(&node(&self.v, i)) * m)
+            .sum()
     }
 
     /// The smallest det F.
     pub fn min_det(&self) -> f64 {
-        (0..self.tets.len()).map(|e| self.deformation(&self.x, e).determinant()).fold(f64::INFINITY, f64::min)
+        (0..self.tets.len())
+            .map(|e| self.deformation(&self.x, e).determinant())
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Of the rest shape.

@@ -52,8 +52,11 @@ impl Setup {
 
     /// Adds ω × (x − centroid) to the velocities.
     pub fn spinning(mut self, omega: [f32; 3]) -> Self {
-        let centre =
-            self.x.iter().fold(Vec3::ZERO, |sum, x| sum + Vec3::from_array(*x)) / self.x.len() as f32;
+        let centre = self
+            .x
+            .iter()
+            .fold(Vec3::ZERO, |sum, x| sum + Vec3::from_array(*x))
+            / self.x.len() as f32;
         for (v, x) in self.v.iter_mut().zip(&self.x) {
             let spin = Vec3::from_array(omega).cross(Vec3::from_array(*x) - centre);
             *v = (Vec3::from_array(*v) + spin).to_array();
@@ -90,15 +93,28 @@ impl Setup {
     }
 
     pub fn pin_list(&self) -> Vec<Pin> {
-        self.pins.iter().map(|&(node, v)| Pin { node, velocity: Vec3::from_array(v) }).collect()
+        self.pins
+            .iter()
+            .map(|&(node, v)| Pin {
+                node,
+                velocity: Vec3::from_array(v),
+            })
+            .collect()
     }
 
     pub fn scene<'a>(&self, pins: &'a [Pin]) -> Scene<'a> {
-        Scene { gravity: Vec3::from_array(self.gravity), pins, ..Scene::default() }
+        Scene {
+            gravity: Vec3::from_array(self.gravity),
+            pins,
+            ..Scene::default()
+        }
     }
 
     pub fn settings(&self) -> Settings {
-        Settings::new(self.h).unwrap().with_theta(self.theta).unwrap()
+        Settings::new(self.h)
+            .unwrap()
+            .with_theta(self.theta)
+            .unwrap()
     }
 
     pub fn reference(&self) -> Reference {
@@ -161,9 +177,11 @@ pub fn two() -> Setup {
 
 /// ν = 0.499, hanging by one end, with the trapezoidal rule.
 pub fn near_incompressible() -> Setup {
-    let mut setup =
-        Setup::new("near-incompressible", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 7))
-            .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
+    let mut setup = Setup::new(
+        "near-incompressible",
+        jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 7),
+    )
+    .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
     setup.poisson = 0.499;
     setup.young = 2e5;
     setup.gravity = [0.0, -9.81, 0.0];
@@ -172,9 +190,11 @@ pub fn near_incompressible() -> Setup {
 
 /// A body let go from a stretched state, with the trapezoidal rule and damping.
 pub fn released_newmark() -> Setup {
-    let mut setup =
-        Setup::new("released (Newmark)", jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 11))
-            .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
+    let mut setup = Setup::new(
+        "released (Newmark)",
+        jitter(&box_mesh([0.5, 0.25, 0.25], [4, 2, 2]), 0.01, 11),
+    )
+    .pinned(|x| x[0] < 0.02, |_| [0.0; 3]);
     for x in &mut setup.x {
         x[0] *= 1.1;
     }
@@ -184,7 +204,14 @@ pub fn released_newmark() -> Setup {
 }
 
 pub fn all() -> Vec<Setup> {
-    vec![free_spin(), cantilever(), pinned_twist(), two(), near_incompressible(), released_newmark()]
+    vec![
+        free_spin(),
+        cantilever(),
+        pinned_twist(),
+        two(),
+        near_incompressible(),
+        released_newmark(),
+    ]
 }
 
 /// Largest distance between the nodes of a body and the oracle's, over the rest bounding box's diagonal.

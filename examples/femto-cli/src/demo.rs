@@ -36,7 +36,11 @@ pub fn command() -> Result<u8, Error> {
         track.push(sim.positions(0).to_vec());
     })?;
     if let Some(why) = &summary.refused {
-        eprintln!("error: {}: step {} was refused: {why}", scene.file, summary.steps_run + 1);
+        eprintln!(
+            "error: {}: step {} was refused: {why}",
+            scene.file,
+            summary.steps_run + 1
+        );
         return Ok(3);
     }
     let error = error_against_converged(&scene, &track)?;
@@ -46,14 +50,21 @@ pub fn command() -> Result<u8, Error> {
 
 /// RMS distance of the nodes from where the converged run has them, over the diagonal of the
 /// rest shape: mean over the steps, and after the last.
-fn error_against_converged(scene: &Scene, track: &[Vec<[f32; 3]>]) -> Result<Option<(f64, f64)>, Error> {
+fn error_against_converged(
+    scene: &Scene,
+    track: &[Vec<[f32; 3]>],
+) -> Result<Option<(f64, f64)>, Error> {
     let mut converged = scene.clone();
     converged.budget.iterations = CONVERGED;
     converged.budget.polar_sweeps = CONVERGED_SWEEPS;
     let mut sim = Sim::new(&converged)?;
     let rest = &scene.bodies[0].rest;
-    let low = rest.iter().fold([f32::INFINITY; 3], |a, b| std::array::from_fn(|i| a[i].min(b[i])));
-    let high = rest.iter().fold([f32::NEG_INFINITY; 3], |a, b| std::array::from_fn(|i| a[i].max(b[i])));
+    let low = rest.iter().fold([f32::INFINITY; 3], |a, b| {
+        std::array::from_fn(|i| a[i].min(b[i]))
+    });
+    let high = rest.iter().fold([f32::NEG_INFINITY; 3], |a, b| {
+        std::array::from_fn(|i| a[i].max(b[i]))
+    });
     let diagonal = squared_distance(&low, &high).sqrt();
 
     let (mut sum, mut last) = (0.0, 0.0);
@@ -61,7 +72,11 @@ fn error_against_converged(scene: &Scene, track: &[Vec<[f32; 3]>]) -> Result<Opt
         if sim.step().is_err() {
             return Ok(None);
         }
-        let squares: f64 = positions.iter().zip(sim.positions(0)).map(|(a, b)| squared_distance(a, b)).sum();
+        let squares: f64 = positions
+            .iter()
+            .zip(sim.positions(0))
+            .map(|(a, b)| squared_distance(a, b))
+            .sum();
         last = (squares / positions.len() as f64).sqrt() / diagonal;
         sum += last;
     }
@@ -69,14 +84,20 @@ fn error_against_converged(scene: &Scene, track: &[Vec<[f32; 3]>]) -> Result<Opt
 }
 
 fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum()
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2))
+        .sum()
 }
 
 fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64, f64)>) -> String {
     let body = &scene.bodies[0];
     let memory = sim.memory();
     let budget = scene.budget;
-    let mut text = format!("femto {}: a snowman falls and topples\n\n", env!("CARGO_PKG_VERSION"));
+    let mut text = format!(
+        "femto {}: a snowman falls and topples\n\n",
+        env!("CARGO_PKG_VERSION")
+    );
     let mut row = |name: &str, value: String| {
         let _ = writeln!(text, "  {name:<10}{value}");
     };
@@ -109,7 +130,10 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     );
     row("", String::new());
     if let (Some(min), Some(median)) = (summary.times.min, summary.times.median) {
-        row("a step", format!("{:.0} µs (median; fastest {:.0})", median * 1e6, min * 1e6));
+        row(
+            "a step",
+            format!("{:.0} µs (median; fastest {:.0})", median * 1e6, min * 1e6),
+        );
     }
     row(
         "memory",
@@ -122,9 +146,20 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     );
     match error {
         Some((mean, last)) => {
-            row("error", format!("{} mean, {} at the end", percent(mean), percent(last)));
-            row("", "RMS position error over the body's diagonal, against the same".into());
-            row("", format!("scene with {CONVERGED} iterations and {CONVERGED_SWEEPS} polar sweeps a step"));
+            row(
+                "error",
+                format!("{} mean, {} at the end", percent(mean), percent(last)),
+            );
+            row(
+                "",
+                "RMS position error over the body's diagonal, against the same".into(),
+            );
+            row(
+                "",
+                format!(
+                    "scene with {CONVERGED} iterations and {CONVERGED_SWEEPS} polar sweeps a step"
+                ),
+            );
         }
         None => row("error", "unknown: the converged run was refused".into()),
     }
@@ -140,9 +175,17 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     );
     row("", String::new());
     row("picture", format!("{OUT}/preview.svg"));
-    row("numbers", format!("{OUT}/final.csv, trace.csv, report.json"));
-    row("your own", "femto run SCENE.toml --out DIR; femto info MESH".into());
-    text.lines().map(|line| line.trim_end().to_owned() + "\n").collect()
+    row(
+        "numbers",
+        format!("{OUT}/final.csv, trace.csv, report.json"),
+    );
+    row(
+        "your own",
+        "femto run SCENE.toml --out DIR; femto info MESH".into(),
+    );
+    text.lines()
+        .map(|line| line.trim_end().to_owned() + "\n")
+        .collect()
 }
 
 fn percent(part: f64) -> String {

@@ -10,7 +10,12 @@ pub enum Error {
 
     /// A value of the scene file is out of range or does not work.
     #[error("{file}: {key} = {value}: {why}")]
-    Value { file: String, key: String, value: String, why: String },
+    Value {
+        file: String,
+        key: String,
+        value: String,
+        why: String,
+    },
 
     /// A mesh file, outside a scene.
     #[error("{file}: {what}")]
@@ -18,18 +23,31 @@ pub enum Error {
 
     /// An option of the command line.
     #[error("{option} {value}: {why}")]
-    Option { option: &'static str, value: String, why: String },
+    Option {
+        option: &'static str,
+        value: String,
+        why: String,
+    },
 
     #[error("{}: cannot be read: {source}", path.display())]
-    Read { path: PathBuf, source: std::io::Error },
+    Read {
+        path: PathBuf,
+        source: std::io::Error,
+    },
 
     /// DIR cannot be made.
     #[error("--out {}: cannot be made: {source}", path.display())]
-    Out { path: PathBuf, source: std::io::Error },
+    Out {
+        path: PathBuf,
+        source: std::io::Error,
+    },
 
     /// A result cannot be written after the run has begun: a full disk, say.
     #[error("{}: cannot be written: {source}", path.display())]
-    Write { path: PathBuf, source: std::io::Error },
+    Write {
+        path: PathBuf,
+        source: std::io::Error,
+    },
 }
 
 impl Error {

@@ -14,7 +14,10 @@ const LISTED: usize = 20;
 
 /// Returns the exit status, 0 or 2.
 pub fn command(path: &Path) -> Result<u8, Error> {
-    let wrong = |what: String| Error::Mesh { file: path.display().to_string(), what };
+    let wrong = |what: String| Error::Mesh {
+        file: path.display().to_string(),
+        what,
+    };
     let mesh = mesh::load(path).map_err(wrong)?;
     let problems = check::problems(&mesh);
     let mut text = format!("{}: {}\n", path.display(), mesh.format);
@@ -37,7 +40,11 @@ pub fn command(path: &Path) -> Result<u8, Error> {
 }
 
 fn things(count: usize) -> String {
-    if count == 1 { "1 thing".into() } else { format!("{} things", thousands(count)) }
+    if count == 1 {
+        "1 thing".into()
+    } else {
+        format!("{} things", thousands(count))
+    }
 }
 
 fn describe(text: &mut String, mesh: &Mesh) {
@@ -55,12 +62,22 @@ fn describe(text: &mut String, mesh: &Mesh) {
     if low.is_finite() {
         let size = high - low;
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-            row(name, format!("{} to {}  ({})", digits(low[axis]), digits(high[axis]), digits(size[axis])));
+            row(
+                name,
+                format!(
+                    "{} to {}  ({})",
+                    digits(low[axis]),
+                    digits(high[axis]),
+                    digits(size[axis])
+                ),
+            );
         }
     }
 
     // Tets whose nodes exist; the others are among the problems.
-    let tets: Vec<usize> = (0..mesh.tets.len()).filter(|&t| mesh.corners(mesh.tets[t]).is_some()).collect();
+    let tets: Vec<usize> = (0..mesh.tets.len())
+        .filter(|&t| mesh.corners(mesh.tets[t]).is_some())
+        .collect();
     let nodes: Vec<[u32; 4]> = tets.iter().map(|&t| mesh.tets[t]).collect();
     let corners: Vec<[DVec3; 4]> = nodes.iter().filter_map(|&t| mesh.corners(t)).collect();
     if tets.is_empty() {
@@ -68,13 +85,26 @@ fn describe(text: &mut String, mesh: &Mesh) {
     }
     row("pieces", thousands(shape::pieces(mesh.nodes.len(), &nodes)));
     let surface = shape::surface(&nodes);
-    let area: f64 = surface.iter().map(|f| shape::triangle_area(f.map(|n| mesh.nodes[n as usize]))).sum();
-    row("surface", format!("{} triangles, area {}", thousands(surface.len()), digits(area)));
+    let area: f64 = surface
+        .iter()
+        .map(|f| shape::triangle_area(f.map(|n| mesh.nodes[n as usize])))
+        .sum();
+    row(
+        "surface",
+        format!(
+            "{} triangles, area {}",
+            thousands(surface.len()),
+            digits(area)
+        ),
+    );
     let crowded = shape::crowded_faces(&nodes);
     if crowded > 0 {
         row(
             "warning",
-            format!("{} faces belong to more than two tets: the mesh overlaps itself", thousands(crowded)),
+            format!(
+                "{} faces belong to more than two tets: the mesh overlaps itself",
+                thousands(crowded)
+            ),
         );
     }
 
@@ -91,13 +121,25 @@ fn describe(text: &mut String, mesh: &Mesh) {
             digits(volumes[volumes.len() - 1])
         ),
     );
-    let mut quality: Vec<(f64, usize)> =
-        corners.iter().zip(&tets).map(|(&c, &t)| (shape::mean_ratio(c), t)).collect();
+    let mut quality: Vec<(f64, usize)> = corners
+        .iter()
+        .zip(&tets)
+        .map(|(&c, &t)| (shape::mean_ratio(c), t))
+        .collect();
     quality.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let median = quality[quality.len() / 2].0;
-    row("quality", format!("mean ratio, 1 for a regular tet: min {:.3}, median {median:.3}", quality[0].0));
-    let worst: Vec<String> =
-        quality.iter().take(5).map(|(q, t)| format!("tet {} {q:.3}", mesh.tet_names[*t])).collect();
+    row(
+        "quality",
+        format!(
+            "mean ratio, 1 for a regular tet: min {:.3}, median {median:.3}",
+            quality[0].0
+        ),
+    );
+    let worst: Vec<String> = quality
+        .iter()
+        .take(5)
+        .map(|(q, t)| format!("tet {} {q:.3}", mesh.tet_names[*t]))
+        .collect();
     row("  worst", worst.join(", "));
 
     let layouts = sim::memory_of_mesh(mesh.nodes.len(), mesh.tets.len());
@@ -134,7 +176,11 @@ fn digits(value: f64) -> String {
         1e-3..1e6 => {
             let decimals = (5.0 - libm::floor(libm::log10(value.abs()))).clamp(0.0, 8.0) as usize;
             let text = format!("{value:.decimals$}");
-            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+            if text.contains('.') {
+                text.trim_end_matches('0').trim_end_matches('.').into()
+            } else {
+                text
+            }
         }
         _ => format!("{value:.5e}"),
     }

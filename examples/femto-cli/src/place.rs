@@ -46,7 +46,10 @@ impl Placing {
 
     /// translate + R (scale X)
     pub fn rest(&self, nodes: &[DVec3]) -> Vec<DVec3> {
-        nodes.iter().map(|&X| self.translate + self.rotation * (self.scale * X)).collect()
+        nodes
+            .iter()
+            .map(|&X| self.translate + self.rotation * (self.scale * X))
+            .collect()
     }
 
     /// Start positions, stretched about the centroid, and v = velocity + w × (x − centroid).
@@ -61,7 +64,10 @@ impl Placing {
                 DVec3::select(self.stretch.cmpeq(DVec3::ONE), X, stretched)
             })
             .collect();
-        let v = x.iter().map(|&x| self.velocity + self.angular_velocity.cross(x - centroid)).collect();
+        let v = x
+            .iter()
+            .map(|&x| self.velocity + self.angular_velocity.cross(x - centroid))
+            .collect();
         (x, v)
     }
 
@@ -70,7 +76,10 @@ impl Placing {
         for (i, p) in points.iter().enumerate() {
             let r = p.to_array().map(|x| x as f32);
             if !r.iter().all(|x| x.is_finite()) {
-                return Err(format!("node {i} = {:?} is too large for f32", p.to_array()));
+                return Err(format!(
+                    "node {i} = {:?} is too large for f32",
+                    p.to_array()
+                ));
             }
             rounded.push(r);
         }
@@ -186,13 +195,17 @@ mod tests {
             translate: DVec3::new(10.0, 0.0, 0.0),
             ..placing()
         };
-        let [x] = place.rest(&[DVec3::X])[..] else { panic!() };
+        let [x] = place.rest(&[DVec3::X])[..] else {
+            panic!()
+        };
         assert!(x.distance(DVec3::new(10.0, 2.0, 0.0)) < 1e-14);
     }
 
     #[test]
     fn no_stretch_changes_no_bit() {
-        let rest: Vec<DVec3> = (0..100).map(|i| DVec3::splat(0.1 * f64::from(i)) + 1e5).collect();
+        let rest: Vec<DVec3> = (0..100)
+            .map(|i| DVec3::splat(0.1 * f64::from(i)) + 1e5)
+            .collect();
         let (x, v) = placing().start(&rest);
         assert_eq!(x, rest);
         assert_eq!(v, vec![DVec3::ZERO; 100]);
@@ -213,10 +226,16 @@ mod tests {
 
     #[test]
     fn bounds_are_inclusive() {
-        let unit = Region::Box { low: DVec3::ZERO, high: DVec3::ONE };
+        let unit = Region::Box {
+            low: DVec3::ZERO,
+            high: DVec3::ONE,
+        };
         assert!(unit.holds(DVec3::ZERO) && unit.holds(DVec3::ONE));
         assert!(!unit.holds(DVec3::new(0.5, 0.5, 1.0 + 1e-15)));
-        let ball = Region::Sphere { centre: DVec3::ZERO, radius: 2.0 };
+        let ball = Region::Sphere {
+            centre: DVec3::ZERO,
+            radius: 2.0,
+        };
         assert!(ball.holds(DVec3::new(0.0, 2.0, 0.0)) && !ball.holds(DVec3::new(0.0, 2.0, 1e-7)));
     }
 }

@@ -50,7 +50,9 @@ pub struct Moment {
 impl Moment {
     pub fn new(time: f64, sim: &Sim) -> Self {
         let point = |&[x, y, z]: &[f32; 3]| DVec3::new(x.into(), y.into(), z.into());
-        let positions = (0..sim.bodies()).map(|b| sim.positions(b).iter().map(point).collect()).collect();
+        let positions = (0..sim.bodies())
+            .map(|b| sim.positions(b).iter().map(point).collect())
+            .collect();
         Moment { time, positions }
     }
 }
@@ -67,7 +69,12 @@ impl EnergyLog {
     const LIMIT: usize = 2048;
 
     pub fn new(start: Energies) -> Self {
-        EnergyLog { points: vec![(0.0, start)], stride: 1, skipped: 0, last: (0.0, start) }
+        EnergyLog {
+            points: vec![(0.0, start)],
+            stride: 1,
+            skipped: 0,
+            last: (0.0, start),
+        }
     }
 
     pub fn push(&mut self, time: f64, energies: Energies) {
@@ -105,7 +112,11 @@ impl<'a> Preview<'a> {
         Preview {
             moments: Vec::new(),
             scene,
-            surfaces: scene.bodies.iter().map(|b| shape::surface(&b.tets)).collect(),
+            surfaces: scene
+                .bodies
+                .iter()
+                .map(|b| shape::surface(&b.tets))
+                .collect(),
         }
     }
 
@@ -114,7 +125,10 @@ impl<'a> Preview<'a> {
         let (views, follows) = self.views(&camera);
         let count = self.moments.len().max(1) as f64;
         let width = ((WIDTH - 2.0 * MARGIN - GAP * (count - 1.0)) / count).min(WIDEST);
-        let needed = views.iter().map(|(_, frame)| frame.size()).fold(DVec2::ZERO, DVec2::max);
+        let needed = views
+            .iter()
+            .map(|(_, frame)| frame.size())
+            .fold(DVec2::ZERO, DVec2::max);
         // One scale for all; panels are as high as the motion is, within reason.
         let inner = width - 2.0 * PADDING;
         let height = (needed.y / needed.x * inner + 2.0 * PADDING).clamp(190.0, 420.0);
@@ -128,9 +142,20 @@ impl<'a> Preview<'a> {
             .set("height", total.ceil())
             .set("font-family", FONT)
             .add(Style::new(panel::style(&BODIES, &SOLID)))
-            .add(Rectangle::new().set("width", "100%").set("height", "100%").set("fill", "#ffffff"))
+            .add(
+                Rectangle::new()
+                    .set("width", "100%")
+                    .set("height", "100%")
+                    .set("fill", "#ffffff"),
+            )
             .add(text(&self.scene.file, MARGIN, 30.0, 20.0, "#1d2733").set("font-weight", "bold"))
-            .add(text(&self.subtitle(follows, refused), MARGIN, 49.0, 13.0, "#5b6673"));
+            .add(text(
+                &self.subtitle(follows, refused),
+                MARGIN,
+                49.0,
+                13.0,
+                "#5b6673",
+            ));
         for (i, (moment, (window, frame))) in self.moments.iter().zip(&views).enumerate() {
             let left = MARGIN + i as f64 * (width + GAP);
             let panel = Panel {
@@ -141,18 +166,34 @@ impl<'a> Preview<'a> {
                 size: [width, height],
                 name: format!("panel{i}"),
             };
-            let picture = panel.draw(&moment.positions, &self.surfaces, &self.colliders_at(moment.time));
+            let picture = panel.draw(
+                &moment.positions,
+                &self.surfaces,
+                &self.colliders_at(moment.time),
+            );
             let label = format!("t = {} s", trim(moment.time));
             document = document
-                .add(Group::new().set("transform", format!("translate({left:.1},{HEAD})")).add(picture))
                 .add(
-                    text(&label, left + width / 2.0, HEAD + height + 19.0, 13.0, "#333d48")
-                        .set("text-anchor", "middle"),
+                    Group::new()
+                        .set("transform", format!("translate({left:.1},{HEAD})"))
+                        .add(picture),
+                )
+                .add(
+                    text(
+                        &label,
+                        left + width / 2.0,
+                        HEAD + height + 19.0,
+                        13.0,
+                        "#333d48",
+                    )
+                    .set("text-anchor", "middle"),
                 );
         }
         let chart = chart::energies(energy.all(), WIDTH - 2.0 * MARGIN, CHART_HEIGHT);
         document = document.add(
-            Group::new().set("transform", format!("translate({MARGIN},{top:.1})")).add(Blob::new(chart)),
+            Group::new()
+                .set("transform", format!("translate({MARGIN},{top:.1})"))
+                .add(Blob::new(chart)),
         );
         document.to_string()
     }
@@ -197,11 +238,17 @@ impl<'a> Preview<'a> {
         let own = |((points, window), colliders): ((&Vec<DVec3>, &Bounds), Vec<Collider>)| {
             (*window, camera.frame(points, window, &colliders))
         };
-        (points.iter().zip(&each).zip(colliders).map(own).collect(), true)
+        (
+            points.iter().zip(&each).zip(colliders).map(own).collect(),
+            true,
+        )
     }
 
     fn colliders_at(&self, time: f64) -> Vec<Collider> {
-        let at = |c: &Collider| Collider { shape: c.shape_at(time), ..*c };
+        let at = |c: &Collider| Collider {
+            shape: c.shape_at(time),
+            ..*c
+        };
         self.scene.colliders.iter().map(at).collect()
     }
 }
@@ -224,7 +271,10 @@ fn trim(value: f64) -> String {
     if !(1e-6..1e7).contains(&value.abs()) {
         let text = format!("{value:.2e}");
         let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!("{}e{power}", mantissa.trim_end_matches('0').trim_end_matches('.'));
+        return format!(
+            "{}e{power}",
+            mantissa.trim_end_matches('0').trim_end_matches('.')
+        );
     }
     let text = format!("{value:.*}", digits as usize);
     match text.contains('.') {
@@ -250,7 +300,11 @@ mod tests {
 
     #[test]
     fn a_long_run_keeps_its_ends_and_little_memory() {
-        let e = |kinetic| Energies { kinetic, elastic: 0.0, potential: 0.0 };
+        let e = |kinetic| Energies {
+            kinetic,
+            elastic: 0.0,
+            potential: 0.0,
+        };
         let mut log = EnergyLog::new(e(0.0));
         for i in 1..=100_001 {
             log.push(f64::from(i), e(f64::from(i)));

@@ -42,7 +42,12 @@ pub struct EnergyReport {
 
 impl From<Energies> for EnergyReport {
     fn from(e: Energies) -> Self {
-        EnergyReport { kinetic: e.kinetic, elastic: e.elastic, potential: e.potential, total: e.total() }
+        EnergyReport {
+            kinetic: e.kinetic,
+            elastic: e.elastic,
+            potential: e.potential,
+            total: e.total(),
+        }
     }
 }
 
@@ -57,6 +62,9 @@ impl StepTimes {
     pub fn new(times: &mut [Duration]) -> Self {
         times.sort_unstable();
         let seconds = |i: usize| times.get(i).map(Duration::as_secs_f64);
-        StepTimes { min: seconds(0), median: seconds(times.len() / 2) }
+        StepTimes {
+            min: seconds(0),
+            median: seconds(times.len() / 2),
+        }
     }
 }

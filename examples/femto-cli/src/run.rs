@@ -69,12 +69,17 @@ pub fn command(args: &Args) -> Result<u8, Error> {
 
 /// The steps after which a frame is written: the first is the start, the last the end.
 fn frame_steps(frames: Option<u32>, steps: u32) -> Result<Vec<u32>, Error> {
-    let Some(frames) = frames else { return Ok(Vec::new()) };
+    let Some(frames) = frames else {
+        return Ok(Vec::new());
+    };
     if u64::from(frames) > u64::from(steps) + 1 {
         return Err(Error::Option {
             option: "--frames",
             value: frames.to_string(),
-            why: format!("the run has only {} states, the start and {steps} steps", u64::from(steps) + 1),
+            why: format!(
+                "the run has only {} states, the start and {steps} steps",
+                u64::from(steps) + 1
+            ),
         });
     }
     Ok(evenly(frames, steps))
@@ -85,7 +90,13 @@ fn evenly(count: u32, last: u32) -> Vec<u32> {
     let (count, last) = (u64::from(count), u64::from(last));
     let gaps = (count - 1).max(1);
     let mut steps: Vec<u32> = (0..count)
-        .map(|i| if count == 1 { last } else { (2 * i * last + gaps) / (2 * gaps) })
+        .map(|i| {
+            if count == 1 {
+                last
+            } else {
+                (2 * i * last + gaps) / (2 * gaps)
+            }
+        })
         .map(|step| step as u32)
         .collect();
     steps.dedup();
@@ -102,7 +113,8 @@ pub fn run(
     mut after_step: impl FnMut(&Sim),
 ) -> Result<Summary, Error> {
     let mut files = Files::new(out, !frames.is_empty())?;
-    let mut trace = tables::trace(&out.join("trace.csv")).map_err(|e| files.wrong("trace.csv", e.into()))?;
+    let mut trace =
+        tables::trace(&out.join("trace.csv")).map_err(|e| files.wrong("trace.csv", e.into()))?;
     let tets: Vec<&[[u32; 4]]> = scene.bodies.iter().map(|b| b.tets.as_slice()).collect();
     let moments = evenly(crate::preview::MOMENTS, scene.steps);
     let mut preview = Preview::new(scene);
@@ -145,14 +157,17 @@ pub fn run(
         last = after.energy;
         energy.push(time, last);
         let row = tables::TraceRow::new(step, time, info, &after);
-        trace.serialize(row).map_err(|e| files.wrong("trace.csv", e.into()))?;
+        trace
+            .serialize(row)
+            .map_err(|e| files.wrong("trace.csv", e.into()))?;
         progress.set(step);
     }
     progress.clear();
     trace.flush().map_err(|e| files.wrong("trace.csv", e))?;
 
     let times = StepTimes::new(&mut times);
-    tables::write_final(&out.join("final.csv"), sim).map_err(|e| files.wrong("final.csv", e.into()))?;
+    tables::write_final(&out.join("final.csv"), sim)
+        .map_err(|e| files.wrong("final.csv", e.into()))?;
     if refused.is_some() {
         // The last good state is shown too.
         let time = f64::from(step) * scene.dt;
@@ -175,7 +190,10 @@ pub fn run(
         budget: scene.budget,
         solver: &scene.solver,
         state_hash: format!("{:016x}", sim.hash()),
-        energy: FirstAndLast { first: EnergyReport::from(first), last: EnergyReport::from(last) },
+        energy: FirstAndLast {
+            first: EnergyReport::from(first),
+            last: EnergyReport::from(last),
+        },
         seconds_per_step: times,
         steps_run: step,
         ended: match &refused {
@@ -183,9 +201,17 @@ pub fn run(
             Some(why) => format!("refused: {why}"),
         },
     };
-    let json = serde_json::to_string_pretty(&report).expect("a report has no keys that are not text");
+    let json =
+        serde_json::to_string_pretty(&report).expect("a report has no keys that are not text");
     fs::write(out.join("report.json"), json + "\n").map_err(|e| files.wrong("report.json", e))?;
-    Ok(Summary { first, last, max_rise, times, steps_run: step, refused })
+    Ok(Summary {
+        first,
+        last,
+        max_rise,
+        times,
+        steps_run: step,
+        refused,
+    })
 }
 
 /// DIR, and the frames written so far.
@@ -197,10 +223,25 @@ struct Files<'a> {
 impl<'a> Files<'a> {
     /// Makes DIR and takes away what an earlier run left there.
     fn new(out: &'a Path, with_frames: bool) -> Result<Self, Error> {
-        let folder = if with_frames { out.join("frames") } else { out.to_path_buf() };
-        fs::create_dir_all(&folder).map_err(|source| Error::Out { path: out.into(), source })?;
-        let files = Files { out, frames: Vec::new() };
-        for name in ["final.csv", "report.json", "preview.svg", "frames/frames.pvd"] {
+        let folder = if with_frames {
+            out.join("frames")
+        } else {
+            out.to_path_buf()
+        };
+        fs::create_dir_all(&folder).map_err(|source| Error::Out {
+            path: out.into(),
+            source,
+        })?;
+        let files = Files {
+            out,
+            frames: Vec::new(),
+        };
+        for name in [
+            "final.csv",
+            "report.json",
+            "preview.svg",
+            "frames/frames.pvd",
+        ] {
             files.remove(name)?;
         }
         if let Ok(old) = fs::read_dir(out.join("frames")) {
@@ -216,7 +257,12 @@ impl<'a> Files<'a> {
 
     fn remove(&self, name: &str) -> Result<(), Error> {
         match fs::remove_file(self.out.join(name)) {
-            Err(e) if !matches!(e.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+            Err(e)
+                if !matches!(
+                    e.kind(),
+                    io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+                ) =>
+            {
                 Err(self.wrong(name, e))
             }
             _ => Ok(()),
@@ -224,7 +270,10 @@ impl<'a> Files<'a> {
     }
 
     fn wrong(&self, name: &str, source: io::Error) -> Error {
-        Error::Write { path: self.out.join(name), source }
+        Error::Write {
+            path: self.out.join(name),
+            source,
+        }
     }
 
     fn frame(&mut self, time: f64, sim: &Sim, tets: &[&[[u32; 4]]]) -> Result<(), Error> {
@@ -259,7 +308,10 @@ impl Progress {
         if !quiet && io::stderr().is_terminal() {
             return Progress { bar, begin };
         }
-        Progress { bar: ProgressBar::hidden(), begin }
+        Progress {
+            bar: ProgressBar::hidden(),
+            begin,
+        }
     }
 
     fn set(&self, step: u32) {
@@ -287,7 +339,12 @@ fn describe(scene: &Scene, sim: &Sim, summary: &Summary, out: &Path) -> String {
         scene.file, summary.steps_run, scene.dt
     );
     if let (Some(min), Some(median)) = (summary.times.min, summary.times.median) {
-        let _ = writeln!(text, "a step    {:.0} µs (median; fastest {:.0})", median * 1e6, min * 1e6);
+        let _ = writeln!(
+            text,
+            "a step    {:.0} µs (median; fastest {:.0})",
+            median * 1e6,
+            min * 1e6
+        );
     }
     let _ = writeln!(
         text,

@@ -98,8 +98,14 @@ impl Collider {
     pub fn shape_at(&self, time: f64) -> Shape {
         let moved = self.velocity * time;
         match self.shape {
-            Shape::Plane { normal, offset } => Shape::Plane { normal, offset: offset + normal.dot(moved) },
-            Shape::Sphere { centre, radius } => Shape::Sphere { centre: centre + moved, radius },
+            Shape::Plane { normal, offset } => Shape::Plane {
+                normal,
+                offset: offset + normal.dot(moved),
+            },
+            Shape::Sphere { centre, radius } => Shape::Sphere {
+                centre: centre + moved,
+                radius,
+            },
         }
     }
 }
@@ -118,9 +124,14 @@ impl Meshes for PathBuf {
 /// Reads a scene file and everything that it names.
 pub fn load(path: &Path) -> Result<Scene, Error> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|source| Error::Read { path: path.into(), source })?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::Scene { file: name.clone(), what: "is not UTF-8 text".into() })?;
+    let bytes = std::fs::read(path).map_err(|source| Error::Read {
+        path: path.into(),
+        source,
+    })?;
+    let text = String::from_utf8(bytes).map_err(|_| Error::Scene {
+        file: name.clone(),
+        what: "is not UTF-8 text".into(),
+    })?;
     let mut folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     parse(&name, &text, &mut folder)
 }
@@ -137,11 +148,22 @@ pub struct Checker<'a> {
 
 impl Checker<'_> {
     pub fn wrong(&self, key: &str, value: &dyn Debug, why: impl Into<String>) -> Error {
-        Error::Value { file: self.file.into(), key: key.into(), value: format!("{value:?}"), why: why.into() }
+        Error::Value {
+            file: self.file.into(),
+            key: key.into(),
+            value: format!("{value:?}"),
+            why: why.into(),
+        }
     }
 
     /// Rounds to f32, once; the rounded value has to be finite and to keep the rule too.
-    pub fn number(&self, key: &str, value: f64, rule: &str, ok: fn(f64) -> bool) -> Result<f32, Error> {
+    pub fn number(
+        &self,
+        key: &str,
+        value: f64,
+        rule: &str,
+        ok: fn(f64) -> bool,
+    ) -> Result<f32, Error> {
         if !value.is_finite() {
             return Err(self.wrong(key, &value, "must be finite"));
         }
@@ -195,8 +217,9 @@ impl Checker<'_> {
 
     fn scene(&self, raw: SceneFile, meshes: &mut dyn Meshes) -> Result<Scene, Error> {
         self.positive("time.dt", raw.time.dt)?;
-        let theta =
-            self.number("time.theta", raw.time.theta, "must be from 0.5 to 1", |t| (0.5..=1.0).contains(&t))?;
+        let theta = self.number("time.theta", raw.time.theta, "must be from 0.5 to 1", |t| {
+            (0.5..=1.0).contains(&t)
+        })?;
         if raw.budget.substeps == 0 {
             return Err(self.wrong("budget.substeps", &0, "must be at least 1"));
         }
@@ -317,7 +340,11 @@ impl Checker<'_> {
             let (centre, radius) = self.sphere(&format!("{key}.sphere"), sphere)?;
             Shape::Sphere { centre, radius }
         };
-        Ok(Collider { shape, friction, velocity: DVec3::from(raw.velocity.0) })
+        Ok(Collider {
+            shape,
+            friction,
+            velocity: DVec3::from(raw.velocity.0),
+        })
     }
 
     pub fn sphere(&self, key: &str, raw: &file::Sphere) -> Result<(DVec3, f64), Error> {
@@ -335,8 +362,12 @@ impl Checker<'_> {
     ) -> Result<Body, Error> {
         let at = |name: &str| format!("{key}.{name}");
         let young = self.positive(&at("young"), raw.young)?;
-        let poisson = self
-            .number(&at("poisson"), raw.poisson, "must be below 0.5 and above -1", |p| p > -1.0 && p < 0.5)?;
+        let poisson = self.number(
+            &at("poisson"),
+            raw.poisson,
+            "must be below 0.5 and above -1",
+            |p| p > -1.0 && p < 0.5,
+        )?;
         let density = self.positive(&at("density"), raw.density)?;
         let alpha = self.not_negative(&at("alpha"), raw.alpha)?;
         let beta = self.not_negative(&at("beta"), raw.beta)?;
@@ -362,7 +393,11 @@ impl Checker<'_> {
                             self.positive(&at("mesh.box"), size)?;
                         }
                         if b.cells.0.contains(&0) {
-                            return Err(self.wrong(&at("mesh.cells"), &b.cells.0, "must be at least 1"));
+                            return Err(self.wrong(
+                                &at("mesh.cells"),
+                                &b.cells.0,
+                                "must be at least 1",
+                            ));
                         }
                         mesh::grid::mesh(b.size.0, b.cells.0).map_err(bad_mesh)?
                     }
@@ -375,11 +410,29 @@ impl Checker<'_> {
         };
 
         let placed = placing.rest(&mesh.nodes);
-        let rest = placing.round(&placed).map_err(|why| bad_mesh(format!("placed {why}")))?;
+        let rest = placing
+            .round(&placed)
+            .map_err(|why| bad_mesh(format!("placed {why}")))?;
         let pins = place::pins(self, key, raw, &placed)?;
         let (x, v) = placing.start(&placed);
-        let x = placing.round(&x).map_err(|why| bad_mesh(format!("stretched {why}")))?;
-        let v = placing.round(&v).map_err(|why| bad_mesh(format!("velocity of {why}")))?;
-        Ok(Body { source, young, poisson, density, alpha, beta, rest, tets: mesh.tets.clone(), x, v, pins })
+        let x = placing
+            .round(&x)
+            .map_err(|why| bad_mesh(format!("stretched {why}")))?;
+        let v = placing
+            .round(&v)
+            .map_err(|why| bad_mesh(format!("velocity of {why}")))?;
+        Ok(Body {
+            source,
+            young,
+            poisson,
+            density,
+            alpha,
+            beta,
+            rest,
+            tets: mesh.tets.clone(),
+            x,
+            v,
+            pins,
+        })
     }
 }

@@ -44,7 +44,11 @@ pub struct Budget {
 
 impl Default for Budget {
     fn default() -> Self {
-        Budget { iterations: 5, polar_sweeps: 2, substeps: 1 }
+        Budget {
+            iterations: 5,
+            polar_sweeps: 2,
+            substeps: 1,
+        }
     }
 }
 
@@ -58,7 +62,11 @@ pub struct Solver {
 
 impl Default for Solver {
     fn default() -> Self {
-        Solver { preconditioner: "jacobi".into(), start: "galerkin-1".into(), layout: "factored".into() }
+        Solver {
+            preconditioner: "jacobi".into(),
+            start: "galerkin-1".into(),
+            layout: "factored".into(),
+        }
     }
 }
 

@@ -113,13 +113,24 @@ impl Sim {
                 scene::Layout::Factored => build(body, settings.start).map(Kind::Factored),
                 scene::Layout::Dense => build(body, settings.start).map(Kind::Dense),
             };
-            let kind = kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
-            let pin = |&(node, v): &(u32, [f32; 3])| Pin { node, velocity: Vec3::from_array(v) };
-            bodies.push(Body { kind, pins: body.pins.iter().map(pin).collect() });
+            let kind =
+                kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
+            let pin = |&(node, v): &(u32, [f32; 3])| Pin {
+                node,
+                velocity: Vec3::from_array(v),
+            };
+            bodies.push(Body {
+                kind,
+                pins: body.pins.iter().map(pin).collect(),
+            });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
             collider_at(collider, 0.0).map_err(|e| {
-                wrong(&format!("collider[{i}]"), format!("{:?}", collider.shape), e.to_string())
+                wrong(
+                    &format!("collider[{i}]"),
+                    format!("{:?}", collider.shape),
+                    e.to_string(),
+                )
             })?;
         }
         Ok(Sim {
@@ -139,7 +150,11 @@ impl Sim {
         // One substep of one body is undone by the library itself.
         let undo = self.substeps > 1 || self.bodies.len() > 1;
         let before: Vec<OwnedState> = match undo {
-            true => self.bodies.iter().map(|b| with!(&b.kind, body => body.state().clone())).collect(),
+            true => self
+                .bodies
+                .iter()
+                .map(|b| with!(&b.kind, body => body.state().clone()))
+                .collect(),
             false => Vec::new(),
         };
         let made = self.made;
@@ -154,18 +169,31 @@ impl Sim {
     }
 
     fn substeps(&mut self) -> Result<StepInfo, String> {
-        let mut info = StepInfo { residual: 0.0, contacts: 0, took: Duration::ZERO };
+        let mut info = StepInfo {
+            residual: 0.0,
+            contacts: 0,
+            took: Duration::ZERO,
+        };
         for substep in 0..self.substeps {
             let time = self.made as f64 * self.substep;
-            let colliders: Result<Vec<_>, _> = self.colliders.iter().map(|c| collider_at(c, time)).collect();
+            let colliders: Result<Vec<_>, _> = self
+                .colliders
+                .iter()
+                .map(|c| collider_at(c, time))
+                .collect();
             let colliders = colliders.map_err(|e| format!("a collider has moved too far: {e}"))?;
             let (mut residual, mut rhs) = (0.0, 0.0);
             info.contacts = 0;
             for (i, body) in self.bodies.iter_mut().enumerate() {
-                let scene =
-                    StepScene { gravity: self.gravity, forces: &[], pins: &body.pins, colliders: &colliders };
+                let scene = StepScene {
+                    gravity: self.gravity,
+                    forces: &[],
+                    pins: &body.pins,
+                    colliders: &colliders,
+                };
                 let begin = Instant::now();
-                let report: StepReport = with!(&mut body.kind, body => body.step(&scene, &self.settings));
+                let report: StepReport =
+                    with!(&mut body.kind, body => body.step(&scene, &self.settings));
                 info.took += begin.elapsed();
                 if let Some(refusal) = report.refusal {
                     return Err(match (self.bodies.len(), self.substeps) {
@@ -177,7 +205,11 @@ impl Sim {
                 rhs += f64::from(report.rhs) * f64::from(report.rhs);
                 info.contacts += report.contacts;
             }
-            info.residual = if rhs > 0.0 { (residual / rhs).sqrt() } else { 0.0 };
+            info.residual = if rhs > 0.0 {
+                (residual / rhs).sqrt()
+            } else {
+                0.0
+            };
             self.made += 1;
         }
         Ok(info)
@@ -191,8 +223,7 @@ impl Sim {
             min_det: f64::INFINITY,
         };
         for body in &self.bodies {
-            let (energy, momenta, min_det) =
-                with!(&body.kind, body => (body.energies(self.gravity), body.momenta(), body.min_det()));
+            let (energy, momenta, min_det) = with!(&body.kind, body => (body.energies(self.gravity), body.momenta(), body.min_det()));
             sum.energy.kinetic += energy.kinetic;
             sum.energy.elastic += energy.elastic;
             sum.energy.potential += energy.potential;
@@ -220,7 +251,11 @@ impl Sim {
     /// FNV-1a over the bits of all x, then all v, body by body.
     pub fn hash(&self) -> u64 {
         let bodies = 0..self.bodies.len();
-        bodies.fold(StateHash::new(), |hash, b| hash.with(self.positions(b), self.velocities(b))).value()
+        bodies
+            .fold(StateHash::new(), |hash, b| {
+                hash.with(self.positions(b), self.velocities(b))
+            })
+            .value()
     }
 
     /// Rest and state of all bodies; the workspace serves one body at a time, so that of the
@@ -252,9 +287,15 @@ fn settings(scene: &Scene) -> Result<Settings, SettingsError> {
         scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
         scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
     };
-    let budget = Budget { iterations: scene.budget.iterations, polar_sweeps: scene.budget.polar_sweeps };
+    let budget = Budget {
+        iterations: scene.budget.iterations,
+        polar_sweeps: scene.budget.polar_sweeps,
+    };
     let settings = Settings::new(scene.substep as f32)?.with_theta(scene.theta)?;
-    Ok(settings.with_budget(budget).with_start(start).with_preconditioner(preconditioner))
+    Ok(settings
+        .with_budget(budget)
+        .with_start(start)
+        .with_preconditioner(preconditioner))
 }
 
 /// The key of the body that is wrong, its value, and why.
@@ -294,7 +335,9 @@ fn collider_at(collider: &Collider, time: f64) -> Result<collider::Collider, Col
         }
     }?;
     let velocity = Vec3::from_array(collider.velocity.to_array().map(|x| x as f32));
-    built.with_friction(collider.friction)?.with_velocity(velocity)
+    built
+        .with_friction(collider.friction)?
+        .with_velocity(velocity)
 }
 
 fn memory_of<L: Layout>(body: &OwnedBody<L>, start: Start) -> Memory {
@@ -314,5 +357,8 @@ fn needed<L: Layout>(nodes: usize, tets: usize, start: Start) -> Memory {
 /// What a body of this size takes with the default start, factored and dense.
 pub fn memory_of_mesh(nodes: usize, tets: usize) -> [Memory; 2] {
     let start = Start::default();
-    [needed::<Factored>(nodes, tets, start), needed::<Dense>(nodes, tets, start)]
+    [
+        needed::<Factored>(nodes, tets, start),
+        needed::<Dense>(nodes, tets, start),
+    ]
 }

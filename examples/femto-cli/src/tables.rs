@@ -70,7 +70,9 @@ pub const TRACE_HEAD: [&str; 14] = [
 ];
 
 pub fn trace(path: &Path) -> csv::Result<Writer<File>> {
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_path(path)?;
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_path(path)?;
     writer.write_record(TRACE_HEAD)?;
     Ok(writer)
 }
@@ -80,7 +82,12 @@ pub fn write_final(path: &Path, sim: &Sim) -> csv::Result<()> {
     let mut writer = Writer::from_path(path)?;
     writer.write_record(["body", "node", "x", "y", "z", "vx", "vy", "vz"])?;
     for body in 0..sim.bodies() {
-        for (node, (x, v)) in sim.positions(body).iter().zip(sim.velocities(body)).enumerate() {
+        for (node, (x, v)) in sim
+            .positions(body)
+            .iter()
+            .zip(sim.velocities(body))
+            .enumerate()
+        {
             let mut row = vec![body.to_string(), node.to_string()];
             row.extend(x.iter().chain(v).map(|value| format!("{value:.8e}")));
             writer.write_record(&row)?;

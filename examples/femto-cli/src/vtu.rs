@@ -22,7 +22,10 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     let cells: usize = tets.iter().map(|t| t.len()).sum();
     let mut xml = begin(path, "UnstructuredGrid")?;
     open(&mut xml, "UnstructuredGrid", &[])?;
-    let counts = [("NumberOfPoints", points.to_string()), ("NumberOfCells", cells.to_string())];
+    let counts = [
+        ("NumberOfPoints", points.to_string()),
+        ("NumberOfCells", cells.to_string()),
+    ];
     open(&mut xml, "Piece", &counts)?;
 
     open(&mut xml, "PointData", &[("Vectors", "velocity".into())])?;
@@ -31,7 +34,10 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     close(&mut xml, "PointData")?;
 
     open(&mut xml, "CellData", &[("Scalars", "body".into())])?;
-    let body_of = tets.iter().enumerate().flat_map(|(b, t)| t.iter().map(move |_| b));
+    let body_of = tets
+        .iter()
+        .enumerate()
+        .flat_map(|(b, t)| t.iter().map(move |_| b));
     array(&mut xml, "Int32", "body", 1, body_of)?;
     close(&mut xml, "CellData")?;
 
@@ -79,7 +85,11 @@ pub fn write_collection(path: &Path, frames: &[(f64, String)]) -> io::Result<()>
 fn begin(path: &Path, kind: &str) -> io::Result<Xml> {
     let mut xml = Writer::new_with_indent(BufWriter::new(File::create(path)?), b' ', 1);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", None, None)))?;
-    let attributes = [("type", kind), ("version", "1.0"), ("byte_order", "LittleEndian")];
+    let attributes = [
+        ("type", kind),
+        ("version", "1.0"),
+        ("byte_order", "LittleEndian"),
+    ];
     let attributes = attributes.map(|(key, value)| (key, value.to_string()));
     open(&mut xml, "VTKFile", &attributes)?;
     Ok(xml)
@@ -94,7 +104,9 @@ fn end(mut xml: Xml) -> io::Result<()> {
 
 fn open(xml: &mut Xml, name: &str, attributes: &[(&str, String)]) -> io::Result<()> {
     let attributes = attributes.iter().map(|(key, value)| (*key, value.as_str()));
-    xml.write_event(Event::Start(BytesStart::new(name).with_attributes(attributes)))
+    xml.write_event(Event::Start(
+        BytesStart::new(name).with_attributes(attributes),
+    ))
 }
 
 fn close(xml: &mut Xml, name: &str) -> io::Result<()> {

@@ -14,7 +14,11 @@ fn fails(folder: &Folder, scene: &[u8], arguments: &[&str]) -> String {
     assert_eq!(run.out, "");
     assert_eq!(run.err.lines().count(), 1, "{}", run.err);
     assert!(!folder.path("out").exists(), "nothing is written");
-    run.err.trim_end().strip_prefix("error: ").expect("an error").to_owned()
+    run.err
+        .trim_end()
+        .strip_prefix("error: ")
+        .expect("an error")
+        .to_owned()
 }
 
 /// What is replaced in the good scene, by what, and the line that follows. A line that ends in
@@ -117,29 +121,55 @@ fn every_bad_value_is_named() {
             wrong.push(format!("{to}\n  expected {expected}\n  found    {line}"));
         }
     }
-    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), ROWS.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} of {}:\n{}",
+        wrong.len(),
+        ROWS.len(),
+        wrong.join("\n")
+    );
 }
 
 #[test]
 fn files_that_are_no_scene() {
     let folder = Folder::new();
     for (scene, expected) in [
-        (&b""[..], "scene.toml: line 1, column 1: missing field `time`"),
-        (b"[time]\ndt = 1\nsteps = 1\n", "scene.toml: body: there is none: at least one [[body]] is needed"),
+        (
+            &b""[..],
+            "scene.toml: line 1, column 1: missing field `time`",
+        ),
+        (
+            b"[time]\ndt = 1\nsteps = 1\n",
+            "scene.toml: body: there is none: at least one [[body]] is needed",
+        ),
         (b"\xff\xfe\x00", "scene.toml: is not UTF-8 text"),
         (b"[time", "scene.toml: line 1, column 6: `[time`: "),
-        (b"[time]\ndt = [1, ", "scene.toml: line 2, column 9: `dt = [1,`: "),
-        (b"\x00\x01\x1b[2J", "scene.toml: line 1, column 4: `\\u{0}\\u{1}\\u{1b}[2J`: "),
+        (
+            b"[time]\ndt = [1, ",
+            "scene.toml: line 2, column 9: `dt = [1,`: ",
+        ),
+        (
+            b"\x00\x01\x1b[2J",
+            "scene.toml: line 1, column 4: `\\u{0}\\u{1}\\u{1b}[2J`: ",
+        ),
     ] {
         let line = fails(&folder, scene, &[]);
-        assert!(line.starts_with(expected), "expected {expected}\nfound    {line}");
+        assert!(
+            line.starts_with(expected),
+            "expected {expected}\nfound    {line}"
+        );
     }
     // Every beginning of a good scene is an error or a scene, never a crash.
     for end in (0..BEAM.len()).step_by(7) {
         folder.write("scene.toml", &BEAM.as_bytes()[..end]);
         let run = folder.femto(&["run", "scene.toml", "--out", "out", "--quiet"]);
         assert!(run.status == 2 || run.status == 0, "{end}: {}", run.err);
-        assert_eq!(run.err.lines().count(), usize::from(run.status == 2), "{end}: {}", run.err);
+        assert_eq!(
+            run.err.lines().count(),
+            usize::from(run.status == 2),
+            "{end}: {}",
+            run.err
+        );
     }
 }
 
@@ -152,12 +182,28 @@ fn bad_mesh_files() {
                0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n";
     let write = |name: &str, content: &[u8]| folder.write(name, content);
     for (name, node, ele) in [
-        ("range", node, ele.replace("1 1 2 3 4", "1 1 2 3 5").as_str()),
-        ("repeated", node, ele.replace("1 1 2 3 4", "1 1 2 3 3").as_str()),
-        ("negative", node, ele.replace("0 0 1 2 3", "0 0 2 1 3").as_str()),
+        (
+            "range",
+            node,
+            ele.replace("1 1 2 3 4", "1 1 2 3 5").as_str(),
+        ),
+        (
+            "repeated",
+            node,
+            ele.replace("1 1 2 3 4", "1 1 2 3 3").as_str(),
+        ),
+        (
+            "negative",
+            node,
+            ele.replace("0 0 1 2 3", "0 0 2 1 3").as_str(),
+        ),
         ("flat", node.replace("4 1 1 1", "4 0.5 0.5 0").as_str(), ele),
         ("unused", node, "1 4 0\n0 0 1 2 3\n"),
-        ("infinite", node.replace("4 1 1 1", "4 1 1 inf").as_str(), ele),
+        (
+            "infinite",
+            node.replace("4 1 1 1", "4 1 1 inf").as_str(),
+            ele,
+        ),
         ("empty", "", ele),
         ("none", "0 3\n", "0 4\n"),
         ("ten", node, "1 10 0\n0 0 1 2 3 0 1 2 3 0 1\n"),
@@ -172,30 +218,57 @@ fn bad_mesh_files() {
     folder.write("negative.msh", msh.replace("1 1 2 3 4", "1 2 1 3 4"));
     folder.write("lost.msh", msh.replace("1 1 2 3 4", "1 1 2 3 8"));
     folder.write("cut.msh", &msh[..msh.len() - 30]);
-    folder.write("triangles.msh", msh.replace("3 1 4 1\n1 1 2 3 4", "2 1 2 1\n1 1 2 3"));
+    folder.write(
+        "triangles.msh",
+        msh.replace("3 1 4 1\n1 1 2 3 4", "2 1 2 1\n1 1 2 3"),
+    );
     for (file, expected) in [
-        ("range.node", "tet 1: node 5 is out of range (nodes go from 0 to 4); and 1 more"),
+        (
+            "range.node",
+            "tet 1: node 5 is out of range (nodes go from 0 to 4); and 1 more",
+        ),
         ("repeated.node", "tet 1: node 3 is repeated; and 1 more"),
-        ("negative.node", "tet 0: its volume is negative (-1.6666666666666666e-1): inside out"),
+        (
+            "negative.node",
+            "tet 0: its volume is negative (-1.6666666666666666e-1): inside out",
+        ),
         ("flat.node", "tet 1: its volume is "),
         ("unused.node", "node 4: belongs to no tet"),
-        ("infinite.node", "node 4: its position [1.0, 1.0, inf] is not finite in f32"),
-        ("empty.node", ".node ends before its head, the number of nodes"),
+        (
+            "infinite.node",
+            "node 4: its position [1.0, 1.0, inf] is not finite in f32",
+        ),
+        (
+            "empty.node",
+            ".node ends before its head, the number of nodes",
+        ),
         ("none.node", "the mesh has no nodes; and 1 more"),
-        ("ten.node", ".ele line 1: 10-node tets are not supported, only 4-node tets"),
+        (
+            "ten.node",
+            ".ele line 1: 10-node tets are not supported, only 4-node tets",
+        ),
         ("short.node", ".ele ends before tet 2 of 2"),
         ("old.msh", "Gmsh format 2.2: only 4.1 (ASCII) is supported"),
         ("binary.msh", "a binary Gmsh file: only ASCII is supported"),
         ("garbage.msh", "not a Gmsh file"),
         ("negative.msh", "tet 1: its volume is negative"),
-        ("lost.msh", "tet 1: node 8 is out of range (no node has this tag)"),
+        (
+            "lost.msh",
+            "tet 1: node 8 is out of range (no node has this tag)",
+        ),
         ("cut.msh", ""),
         ("triangles.msh", "the mesh has no 4-node tets"),
     ] {
-        let scene = BEAM.replace("{ box = [1.0, 0.25, 0.25], cells = [4, 1, 1] }", &format!("\"{file}\""));
+        let scene = BEAM.replace(
+            "{ box = [1.0, 0.25, 0.25], cells = [4, 1, 1] }",
+            &format!("\"{file}\""),
+        );
         let line = fails(&folder, scene.as_bytes(), &[]);
         let expected = format!("scene.toml: body[0].mesh = \"{file}\": {expected}");
-        assert!(line.starts_with(&expected), "expected {expected}\nfound    {line}");
+        assert!(
+            line.starts_with(&expected),
+            "expected {expected}\nfound    {line}"
+        );
     }
 }
 
@@ -222,5 +295,8 @@ fn bad_command_lines() {
         assert!(!folder.path("out").exists(), "{arguments:?}");
     }
     let line = fails(&folder, BEAM.as_bytes(), &["--frames", "12"]);
-    assert_eq!(line, "--frames 12: the run has only 11 states, the start and 10 steps");
+    assert_eq!(
+        line,
+        "--frames 12: the run has only 11 states, the start and 10 steps"
+    );
 }

@@ -35,15 +35,25 @@ fn a_good_mesh() {
 #[test]
 fn everything_wrong_is_listed() {
     let folder = Folder::new();
-    folder.write("bad.node", NODE.replace("5 3 0 0", "6 3 0 0") + "6 2 2 nan\n");
-    folder.write("bad.ele", "4 4 0\n1 1 3 2 4\n2 2 3 4 9\n3 1 1 2 3\n4 1 2 3 3\n");
+    folder.write(
+        "bad.node",
+        NODE.replace("5 3 0 0", "6 3 0 0") + "6 2 2 nan\n",
+    );
+    folder.write(
+        "bad.ele",
+        "4 4 0\n1 1 3 2 4\n2 2 3 4 9\n3 1 1 2 3\n4 1 2 3 3\n",
+    );
     let run = folder.femto(&["info", "bad.node"]);
     assert_eq!(run.status, 2);
     assert_eq!(
         run.err,
         "error: bad.node: tet 2: node 9 is out of range (nodes go from 1 to 6); and 6 more\n"
     );
-    let list = run.out.split_once("7 things wrong:\n").unwrap_or_else(|| panic!("{}", run.out)).1;
+    let list = run
+        .out
+        .split_once("7 things wrong:\n")
+        .unwrap_or_else(|| panic!("{}", run.out))
+        .1;
     assert_eq!(
         list.lines().collect::<Vec<_>>(),
         [
@@ -61,13 +71,19 @@ fn everything_wrong_is_listed() {
 #[test]
 fn a_long_list_is_cut() {
     let folder = Folder::new();
-    let nodes: String = (0..104).map(|i| format!("{i} {} {} {}\n", i == 1, i == 2, i == 3)).collect();
+    let nodes: String = (0..104)
+        .map(|i| format!("{i} {} {} {}\n", i == 1, i == 2, i == 3))
+        .collect();
     let nodes = nodes.replace("true", "1").replace("false", "0");
     folder.write("many.node", format!("104 3 0 0\n{nodes}"));
     folder.write("many.ele", "1 4 0\n0 0 1 2 3\n");
     let run = folder.femto(&["info", "many.node"]);
     assert_eq!(run.status, 2);
-    assert!(run.out.contains("100 things wrong:") && run.out.contains("  and 80 more\n"), "{}", run.out);
+    assert!(
+        run.out.contains("100 things wrong:") && run.out.contains("  and 80 more\n"),
+        "{}",
+        run.out
+    );
 }
 
 #[test]
@@ -85,12 +101,25 @@ fn files_that_cannot_be_read() {
     folder.write("mesh.stl", "");
     for (name, error) in [
         ("none.msh", "error: none.msh: cannot be read: No such file"),
-        ("lonely.node", "error: lonely.node: lonely.ele beside it cannot be read: No such file"),
-        ("garbage.msh", "error: garbage.msh: not a Gmsh file: it does not begin with $MeshFormat\n"),
-        ("mesh.stl", "error: mesh.stl: not a mesh format known here (.msh, or .node with its .ele)\n"),
+        (
+            "lonely.node",
+            "error: lonely.node: lonely.ele beside it cannot be read: No such file",
+        ),
+        (
+            "garbage.msh",
+            "error: garbage.msh: not a Gmsh file: it does not begin with $MeshFormat\n",
+        ),
+        (
+            "mesh.stl",
+            "error: mesh.stl: not a mesh format known here (.msh, or .node with its .ele)\n",
+        ),
     ] {
         let run = folder.femto(&["info", name]);
         assert_eq!((run.status, run.out.as_str()), (2, ""), "{name}");
-        assert!(run.err.starts_with(error) && run.err.lines().count() == 1, "{}", run.err);
+        assert!(
+            run.err.starts_with(error) && run.err.lines().count() == 1,
+            "{}",
+            run.err
+        );
     }
 }

@@ -10,7 +10,10 @@ fn report(folder: &Folder) -> Value {
 }
 
 fn hash(folder: &Folder) -> String {
-    report(folder)["state_hash"].as_str().expect("text").to_owned()
+    report(folder)["state_hash"]
+        .as_str()
+        .expect("text")
+        .to_owned()
 }
 
 /// FNV-1a over x, then v, of each body in turn, from the numbers in final.csv.
@@ -21,7 +24,10 @@ fn hash_of_final(folder: &Folder) -> String {
     for body in 0..bodies {
         for columns in [2..5, 5..8] {
             for row in rows.iter().filter(|r| r[0] as usize == body) {
-                for byte in row[columns.clone()].iter().flat_map(|x| (*x as f32).to_le_bytes()) {
+                for byte in row[columns.clone()]
+                    .iter()
+                    .flat_map(|x| (*x as f32).to_le_bytes())
+                {
                     hash = (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
                 }
             }
@@ -34,7 +40,11 @@ fn hash_of_final(folder: &Folder) -> String {
 fn a_run_writes_all_its_files() {
     let folder = Folder::new();
     let run = folder.run(BEAM, &[]).succeeds();
-    assert!(run.out.contains("20 nodes, 24 tets, 10 steps"), "{}", run.out);
+    assert!(
+        run.out.contains("20 nodes, 24 tets, 10 steps"),
+        "{}",
+        run.out
+    );
 
     let text = folder.read("out/final.csv");
     let (head, rows) = table(&text);
@@ -44,8 +54,16 @@ fn a_run_writes_all_its_files() {
         assert_eq!((row[0], row[1]), (0.0, node as f64));
     }
     // Nine significant digits: d.dddddddde±x.
-    for field in text.lines().skip(1).flat_map(|line| line.split(',').skip(2)) {
-        let digits = field.split('e').next().expect("a mantissa").trim_start_matches('-');
+    for field in text
+        .lines()
+        .skip(1)
+        .flat_map(|line| line.split(',').skip(2))
+    {
+        let digits = field
+            .split('e')
+            .next()
+            .expect("a mantissa")
+            .trim_start_matches('-');
         assert_eq!(digits.len(), 10, "{field}");
     }
     // The pinned end is where it was, the other has fallen.
@@ -89,11 +107,22 @@ fn a_run_writes_all_its_files() {
     assert_eq!(last["total"].as_f64(), Some(row[2] + row[3] + row[4]));
     assert_eq!(report["energy"]["first"]["kinetic"], 0.0);
     let seconds = &report["seconds_per_step"];
-    assert!(seconds["min"].as_f64() > Some(0.0) && seconds["median"].as_f64() >= seconds["min"].as_f64());
+    assert!(
+        seconds["min"].as_f64() > Some(0.0)
+            && seconds["median"].as_f64() >= seconds["min"].as_f64()
+    );
 
     let svg = folder.read("out/preview.svg");
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
-    for label in ["kinetic", "elastic", "potential", "total", "t = 0 s", "t = 0.1 s", "scene.toml"] {
+    for label in [
+        "kinetic",
+        "elastic",
+        "potential",
+        "total",
+        "t = 0 s",
+        "t = 0.1 s",
+        "scene.toml",
+    ] {
         assert!(svg.contains(label), "{label}");
     }
     assert!(!folder.path("out/frames").exists());
@@ -104,7 +133,10 @@ fn the_hash_is_that_of_the_final_state_and_repeats() {
     let folder = Folder::new();
     let two = format!(
         "{BEAM}{}",
-        BEAM.split_once("[[body]]").expect("a body").1.replacen("mesh", "[[body]]\nmesh", 1)
+        BEAM.split_once("[[body]]")
+            .expect("a body")
+            .1
+            .replacen("mesh", "[[body]]\nmesh", 1)
     );
     folder.run(&two, &["--quiet"]).succeeds();
     let first = hash(&folder);
@@ -125,7 +157,9 @@ fn quiet_prints_nothing() {
 #[test]
 fn no_steps_gives_the_start() {
     let folder = Folder::new();
-    folder.run(&BEAM.replace("steps = 10", "steps = 0"), &["--frames", "1"]).succeeds();
+    folder
+        .run(&BEAM.replace("steps = 10", "steps = 0"), &["--frames", "1"])
+        .succeeds();
     let (head, rows) = table(&folder.read("out/trace.csv"));
     assert_eq!((head.len(), rows.len()), (14, 0));
     let (_, rows) = table(&folder.read("out/final.csv"));
@@ -144,13 +178,34 @@ fn frames_are_numbered_and_listed_with_their_times() {
         .path("out/frames")
         .read_dir()
         .expect("a folder")
-        .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .into_string()
+                .expect("UTF-8")
+        })
         .collect();
     names.sort();
-    assert_eq!(names, ["frame-00000.vtu", "frame-00001.vtu", "frame-00002.vtu", "frames.pvd"]);
+    assert_eq!(
+        names,
+        [
+            "frame-00000.vtu",
+            "frame-00001.vtu",
+            "frame-00002.vtu",
+            "frames.pvd"
+        ]
+    );
     let list = folder.read("out/frames/frames.pvd");
-    for (time, file) in [("0", "frame-00000.vtu"), ("0.05", "frame-00001.vtu"), ("0.1", "frame-00002.vtu")] {
-        assert!(list.contains(&format!("timestep=\"{time}\" part=\"0\" file=\"{file}\"")), "{list}");
+    for (time, file) in [
+        ("0", "frame-00000.vtu"),
+        ("0.05", "frame-00001.vtu"),
+        ("0.1", "frame-00002.vtu"),
+    ] {
+        assert!(
+            list.contains(&format!("timestep=\"{time}\" part=\"0\" file=\"{file}\"")),
+            "{list}"
+        );
     }
 
     // The last frame is the final state.
@@ -158,12 +213,22 @@ fn frames_are_numbered_and_listed_with_their_times() {
     assert!(frame.contains("NumberOfPoints=\"20\" NumberOfCells=\"24\""));
     let array = |name: &str| -> Vec<f64> {
         let from = frame.find(&format!("Name=\"{name}\"")).expect(name);
-        let text = frame[from..].split_once('>').expect("a tag").1.split_once('<').expect("an end").0;
-        text.split_whitespace().map(|number| number.parse().expect("a number")).collect()
+        let text = frame[from..]
+            .split_once('>')
+            .expect("a tag")
+            .1
+            .split_once('<')
+            .expect("an end")
+            .0;
+        text.split_whitespace()
+            .map(|number| number.parse().expect("a number"))
+            .collect()
     };
     let (_, rows) = table(&folder.read("out/final.csv"));
     let column = |range: std::ops::Range<usize>| -> Vec<f32> {
-        rows.iter().flat_map(|r| r[range.clone()].iter().map(|x| *x as f32)).collect()
+        rows.iter()
+            .flat_map(|r| r[range.clone()].iter().map(|x| *x as f32))
+            .collect()
     };
     let single = |numbers: Vec<f64>| numbers.into_iter().map(|x| x as f32).collect::<Vec<_>>();
     assert_eq!(single(array("position")), column(2..5));
@@ -177,7 +242,14 @@ fn frames_are_numbered_and_listed_with_their_times() {
 fn both_layouts_and_all_starts_run() {
     let folder = Folder::new();
     for layout in ["factored", "dense"] {
-        for start in ["zero", "velocity", "galerkin-0", "galerkin-3", "rigid-0", "rigid-2"] {
+        for start in [
+            "zero",
+            "velocity",
+            "galerkin-0",
+            "galerkin-3",
+            "rigid-0",
+            "rigid-2",
+        ] {
             for preconditioner in ["identity", "mass", "jacobi", "block-jacobi"] {
                 let solver = format!(
                     "[solver]\nlayout = \"{layout}\"\nstart = \"{start}\"\npreconditioner = \"{preconditioner}\"\n"
@@ -191,12 +263,21 @@ fn both_layouts_and_all_starts_run() {
 #[test]
 fn substeps_divide_a_step() {
     let folder = Folder::new();
-    folder.run(&format!("[budget]\nsubsteps = 4\n{BEAM}"), &[]).succeeds();
+    folder
+        .run(&format!("[budget]\nsubsteps = 4\n{BEAM}"), &[])
+        .succeeds();
     let split = folder.read("out/final.csv");
     let (_, rows) = table(&folder.read("out/trace.csv"));
     assert_eq!(rows.len(), 10);
     // The same as steps of a quarter (0.01/4 and 0.0025 are the same f64).
-    folder.run(&BEAM.replace("dt = 0.01", "dt = 0.0025").replace("steps = 10", "steps = 40"), &[]).succeeds();
+    folder
+        .run(
+            &BEAM
+                .replace("dt = 0.01", "dt = 0.0025")
+                .replace("steps = 10", "steps = 40"),
+            &[],
+        )
+        .succeeds();
     assert_eq!(folder.read("out/final.csv"), split);
 }
 
@@ -235,7 +316,11 @@ angular_velocity = [0.0, 0.0, 2.0]
 #[test]
 fn ground_stops_a_fall_and_is_counted() {
     let folder = Folder::new();
-    let falling = BEAM.split_once("[[body.pin]]").expect("a pin").0.replace("steps = 10", "steps = 60");
+    let falling = BEAM
+        .split_once("[[body.pin]]")
+        .expect("a pin")
+        .0
+        .replace("steps = 10", "steps = 60");
     let scene = format!(
         "{falling}translate = [0, 0.05, 0]\n[[collider]]\nplane = {{ normal = [0, 2, 0], offset = -0.1 }}\n"
     );
@@ -252,13 +337,21 @@ fn ground_stops_a_fall_and_is_counted() {
 #[test]
 fn a_moving_sphere_pushes_a_body() {
     let folder = Folder::new();
-    let free = BEAM.split_once("[[body.pin]]").expect("a pin").0.replace("steps = 10", "steps = 50");
+    let free = BEAM
+        .split_once("[[body.pin]]")
+        .expect("a pin")
+        .0
+        .replace("steps = 10", "steps = 50");
     let scene = format!(
         "gravity = [0, 0, 0]\n{free}[[collider]]\nsphere = {{ centre = [-0.6, 0.125, 0.125], radius = 0.5 }}\nvelocity = [1, 0, 0]\nfriction = 0.5\n"
     );
     folder.run(&scene, &[]).succeeds();
     let (_, rows) = table(&folder.read("out/trace.csv"));
-    assert!(rows[49][6] > 10.0, "it has momentum along x: {:?}", rows[49]);
+    assert!(
+        rows[49][6] > 10.0,
+        "it has momentum along x: {:?}",
+        rows[49]
+    );
     let (_, rows) = table(&folder.read("out/final.csv"));
     // The sphere's front has come to −0.1 + 0.5.
     assert!(rows.iter().all(|r| r[2] > 0.2), "{rows:?}");
@@ -270,17 +363,30 @@ fn a_refused_step_keeps_the_last_good_state() {
     for budget in ["", "[budget]\nsubsteps = 2\n"] {
         let scene = format!(
             "{budget}{}",
-            BEAM.replace("poisson = 0.4", "poisson = 0.4\nvelocity = [1e38, 0.0, 0.0]")
+            BEAM.replace(
+                "poisson = 0.4",
+                "poisson = 0.4\nvelocity = [1e38, 0.0, 0.0]"
+            )
         );
         // Two steps at most, until positions leave the range of f32.
-        let scene =
-            scene.replace("dt = 0.01", "dt = 2.0").split_once("[[body.pin]]").expect("a pin").0.to_owned();
+        let scene = scene
+            .replace("dt = 0.01", "dt = 2.0")
+            .split_once("[[body.pin]]")
+            .expect("a pin")
+            .0
+            .to_owned();
         let run = folder.run(&scene, &["--frames", "2"]);
         assert_eq!(run.status, 3, "{}", run.err);
         assert_eq!(run.err.lines().count(), 1, "{}", run.err);
         assert!(run.err.contains("scene.toml: step"), "{}", run.err);
         let report = report(&folder);
-        assert!(report["ended"].as_str().expect("text").starts_with("refused: "), "{report}");
+        assert!(
+            report["ended"]
+                .as_str()
+                .expect("text")
+                .starts_with("refused: "),
+            "{report}"
+        );
         let steps = report["steps_run"].as_u64().expect("a number");
         assert!(steps < 10);
         assert_eq!(table(&folder.read("out/trace.csv")).1.len() as u64, steps);
@@ -295,7 +401,10 @@ fn a_refused_step_keeps_the_last_good_state() {
 fn several_bodies_of_one_mesh_file() {
     let folder = Folder::new();
     std::fs::create_dir(folder.path("meshes")).expect("a folder");
-    folder.write("meshes/tet.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+    folder.write(
+        "meshes/tet.node",
+        "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n",
+    );
     folder.write("meshes/tet.ele", "1 4 0\n1 1 2 3 4\n");
     let body = "[[body]]\nmesh = \"meshes/tet.node\"\nyoung = 1e4\npoisson = 0.3\ndensity = 1e3\n";
     let scene = format!("[time]\ndt = 0.01\nsteps = 3\n{body}{body}translate = [2, 0, 0]\n");

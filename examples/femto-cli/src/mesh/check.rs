@@ -58,10 +58,16 @@ impl fmt::Display for Problem {
                 write!(f, "tet {tet}: node {node} is repeated")
             }
             Problem::Inverted { tet, volume } => {
-                write!(f, "tet {tet}: its volume is negative ({volume:e}): inside out")
+                write!(
+                    f,
+                    "tet {tet}: its volume is negative ({volume:e}): inside out"
+                )
             }
             Problem::Flat { tet, volume } => {
-                write!(f, "tet {tet}: its volume is zero or too small ({volume:e}): flat")
+                write!(
+                    f,
+                    "tet {tet}: its volume is zero or too small ({volume:e}): flat"
+                )
             }
             Problem::Unused { node } => write!(f, "node {node}: belongs to no tet"),
             Problem::NodeTwice { node } => write!(f, "node {node}: is given twice"),
@@ -80,17 +86,23 @@ pub fn problems(mesh: &Mesh) -> Vec<Problem> {
     if mesh.tets.is_empty() {
         found.push(Problem::NoTets);
     }
-    let rounded: Vec<[f32; 3]> = mesh.nodes.iter().map(|p| p.to_array().map(|x| x as f32)).collect();
+    let rounded: Vec<[f32; 3]> = mesh
+        .nodes
+        .iter()
+        .map(|p| p.to_array().map(|x| x as f32))
+        .collect();
     let node = |index: u32| mesh.node_names[index as usize];
     let tet = |index: u32| mesh.tet_names[index as usize];
     femto::mesh::problems(&rounded, &mesh.tets, |problem| {
         found.push(match problem {
-            MeshError::NonFiniteNode { node: n } => {
-                Problem::NotFinite { node: node(n), at: mesh.nodes[n as usize].to_array() }
-            }
-            MeshError::RepeatedNode { tet: t, node: n } => {
-                Problem::RepeatedNode { tet: tet(t), node: node(n) }
-            }
+            MeshError::NonFiniteNode { node: n } => Problem::NotFinite {
+                node: node(n),
+                at: mesh.nodes[n as usize].to_array(),
+            },
+            MeshError::RepeatedNode { tet: t, node: n } => Problem::RepeatedNode {
+                tet: tet(t),
+                node: node(n),
+            },
             MeshError::BadVolume { tet: t } => {
                 let corners = mesh.corners(mesh.tets[t as usize]).unwrap_or_default();
                 if !corners.iter().all(|c| c.is_finite()) {
@@ -146,9 +158,19 @@ mod tests {
 
     #[test]
     fn every_offender_is_named() {
-        let nodes = [UNIT[0], UNIT[1], UNIT[2], UNIT[3], [f64::NAN, 0.0, 0.0], [1.0, 1.0, 0.0]];
+        let nodes = [
+            UNIT[0],
+            UNIT[1],
+            UNIT[2],
+            UNIT[3],
+            [f64::NAN, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+        ];
         let tets = [[0, 2, 1, 3], [0, 0, 1, 2], [0, 1, 2, 5], [0, 1, 2, NOWHERE]];
-        let lines: Vec<String> = problems(&mesh(&nodes, &tets)).iter().map(|p| p.to_string()).collect();
+        let lines: Vec<String> = problems(&mesh(&nodes, &tets))
+            .iter()
+            .map(|p| p.to_string())
+            .collect();
         assert_eq!(
             lines,
             [
@@ -163,13 +185,24 @@ mod tests {
 
     #[test]
     fn a_tet_that_f32_flattens_is_flat() {
-        let nodes = [[1e6, 0.0, 0.0], [1e6 + 1e-3, 0.0, 0.0], [1e6, 1.0, 0.0], [1e6, 0.0, 1.0]];
+        let nodes = [
+            [1e6, 0.0, 0.0],
+            [1e6 + 1e-3, 0.0, 0.0],
+            [1e6, 1.0, 0.0],
+            [1e6, 0.0, 1.0],
+        ];
         let found = problems(&mesh(&nodes, &[[0, 1, 2, 3]]));
-        assert!(matches!(found[..], [Problem::Flat { tet: 1, .. }]), "{found:?}");
+        assert!(
+            matches!(found[..], [Problem::Flat { tet: 1, .. }]),
+            "{found:?}"
+        );
     }
 
     #[test]
     fn an_empty_mesh_is_a_problem() {
-        assert_eq!(problems(&mesh(&[], &[])), [Problem::NoNodes, Problem::NoTets]);
+        assert_eq!(
+            problems(&mesh(&[], &[])),
+            [Problem::NoNodes, Problem::NoTets]
+        );
     }
 }

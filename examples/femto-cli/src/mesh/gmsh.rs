@@ -22,14 +22,15 @@ pub fn parse(bytes: &[u8]) -> Result<Mesh, String> {
 
 /// Refuses what `mshio` refuses unclearly or with a panic: other versions, binary files.
 fn check_format(bytes: &[u8]) -> Result<(), String> {
-    let head = section(bytes, "$MeshFormat").ok_or("not a Gmsh file: it does not begin with $MeshFormat")?;
+    let head = section(bytes, "$MeshFormat")
+        .ok_or("not a Gmsh file: it does not begin with $MeshFormat")?;
     let head = String::from_utf8_lossy(&bytes[head]).into_owned();
     let fields: Vec<&str> = head.split_whitespace().collect();
     match fields[..] {
         ["4.1", "0", "8"] => Ok(()),
-        ["4.1", "1", _] => {
-            Err("a binary Gmsh file: only ASCII is supported (gmsh -format msh41 without -bin)".into())
-        }
+        ["4.1", "1", _] => Err(
+            "a binary Gmsh file: only ASCII is supported (gmsh -format msh41 without -bin)".into(),
+        ),
         ["4.1", ..] => Err(format!("Gmsh format line `{head}`: expected `4.1 0 8`")),
         [version, ..] => Err(format!(
             "Gmsh format {version}: only 4.1 (ASCII) is supported (gmsh FILE -save -format msh41)"
@@ -65,14 +66,20 @@ fn with_sparse_tags(bytes: &[u8]) -> Result<Vec<u8>, String> {
         match text.split_whitespace().nth(1).map(str::parse::<usize>) {
             Some(Ok(0)) => return Err(format!("has 0 {what}")),
             Some(Ok(n)) if n <= LIMIT => {}
-            _ => return Err(format!("{tag}: its head `{text}` does not hold a number of {what} that fits")),
+            _ => {
+                return Err(format!(
+                    "{tag}: its head `{text}` does not hold a number of {what} that fits"
+                ));
+            }
         }
     }
     let head = section(bytes, "$Nodes").unwrap_or(0..0);
     let text = String::from_utf8_lossy(&bytes[head.clone()]).into_owned();
     let fields: Vec<&str> = text.split_whitespace().collect();
     let [blocks, count, _, _] = fields[..] else {
-        return Err(format!("$Nodes: its head `{text}` does not hold four numbers"));
+        return Err(format!(
+            "$Nodes: its head `{text}` does not hold four numbers"
+        ));
     };
     let mut wide = bytes[..head.start].to_vec();
     wide.extend_from_slice(format!("{blocks} {count} 1 {}", u64::MAX).as_bytes());
@@ -81,11 +88,18 @@ fn with_sparse_tags(bytes: &[u8]) -> Result<Vec<u8>, String> {
 }
 
 fn build(file: &MshFile<u64, i32, f64>) -> Result<Mesh, String> {
-    let mut mesh = Mesh { format: "Gmsh 4.1 ASCII".into(), ..Mesh::default() };
+    let mut mesh = Mesh {
+        format: "Gmsh 4.1 ASCII".into(),
+        ..Mesh::default()
+    };
     let mut index_of = HashMap::new();
     for block in file.data.nodes.iter().flat_map(|n| &n.node_blocks) {
-        let mut tags: Vec<(usize, u64)> =
-            block.node_tags.iter().flatten().map(|(&tag, &i)| (i, tag)).collect();
+        let mut tags: Vec<(usize, u64)> = block
+            .node_tags
+            .iter()
+            .flatten()
+            .map(|(&tag, &i)| (i, tag))
+            .collect();
         tags.sort_unstable();
         if tags.len() != block.nodes.len() {
             return Err("$Nodes: a node tag is given twice".into());
@@ -130,11 +144,15 @@ fn build(file: &MshFile<u64, i32, f64>) -> Result<Mesh, String> {
         }
     }
     if mesh.tets.is_empty() && quadratic > 0 {
-        return Err(format!("has {quadratic} 10-node tets and no 4-node tets, which alone are supported"));
+        return Err(format!(
+            "has {quadratic} 10-node tets and no 4-node tets, which alone are supported"
+        ));
     }
     if others + quadratic > 0 {
-        mesh.notes
-            .push(format!("{} volume elements that are not 4-node tets were left out", others + quadratic));
+        mesh.notes.push(format!(
+            "{} volume elements that are not 4-node tets were left out",
+            others + quadratic
+        ));
     }
     drop_unused_nodes(&mut mesh);
     Ok(mesh)
@@ -150,7 +168,8 @@ fn drop_unused_nodes(mesh: &mut Mesh) {
     if left_out == 0 || mesh.tets.is_empty() {
         return;
     }
-    mesh.notes.push(format!("{left_out} nodes that no tet uses were left out"));
+    mesh.notes
+        .push(format!("{left_out} nodes that no tet uses were left out"));
     let mut next = 0;
     for (index, &used) in new_index.iter_mut().zip(&used) {
         if used {
@@ -229,15 +248,26 @@ mod tests {
             "123456789.123456789",
             "2.2250738585072011e-308",
         ] {
-            let mesh = parse(FILE.replacen("0 0 1\n3", &format!("0 0 {text}\n3"), 1).as_bytes()).unwrap();
-            assert_eq!(mesh.nodes[0].z.to_bits(), text.parse::<f64>().unwrap().to_bits(), "{text}");
+            let mesh = parse(
+                FILE.replacen("0 0 1\n3", &format!("0 0 {text}\n3"), 1)
+                    .as_bytes(),
+            )
+            .unwrap();
+            assert_eq!(
+                mesh.nodes[0].z.to_bits(),
+                text.parse::<f64>().unwrap().to_bits(),
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn a_missing_tag_is_a_problem() {
         let mesh = parse(FILE.replacen("2 1 2 3 4\n", "2 1 2 3 77\n", 1).as_bytes()).unwrap();
-        assert_eq!(mesh.problems[0].to_string(), "tet 2: node 77 is out of range (no node has this tag)");
+        assert_eq!(
+            mesh.problems[0].to_string(),
+            "tet 2: node 77 is out of range (no node has this tag)"
+        );
     }
 
     #[test]
@@ -254,7 +284,8 @@ mod tests {
         assert_eq!(fails("2 5 1 5", "2 0 1 5"), "has 0 nodes");
         assert_eq!(fails("2 2 1 2", "2 0 1 2"), "has 0 elements");
         assert!(
-            fails("2 2 1 2", "2 99999999999999999999 1 2").contains("does not hold a number of elements")
+            fails("2 2 1 2", "2 99999999999999999999 1 2")
+                .contains("does not hold a number of elements")
         );
         assert!(fails("2 5 1 5", "2 5 1").contains("four numbers"));
         assert!(fails("2\n1\n3\n1 0 0", "2\n2\n3\n1 0 0").contains("given twice"));

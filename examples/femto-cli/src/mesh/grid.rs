@@ -21,10 +21,15 @@ pub fn mesh(size: [f64; 3], cells: [u32; 3]) -> Result<Mesh, String> {
     let tets = cells.iter().map(|&n| u128::from(n)).product::<u128>() * 6;
     let nodes = cells.iter().map(|&n| u128::from(n) + 1).product::<u128>();
     if nodes > LIMIT as u128 || tets > LIMIT as u128 {
-        return Err(format!("{nodes} nodes and {tets} tets are more than {LIMIT}"));
+        return Err(format!(
+            "{nodes} nodes and {tets} tets are more than {LIMIT}"
+        ));
     }
 
-    let mut mesh = Mesh { format: "box".into(), ..Mesh::default() };
+    let mut mesh = Mesh {
+        format: "box".into(),
+        ..Mesh::default()
+    };
     for i in 0..=nx {
         for j in 0..=ny {
             for k in 0..=nz {
@@ -80,7 +85,12 @@ mod tests {
     fn fills_the_box_with_positive_tets() {
         let mesh = super::mesh([1.0, 0.25, 0.5], [3, 2, 4]).unwrap();
         assert!(check::problems(&mesh).is_empty());
-        let total: f64 = mesh.tets.iter().filter_map(|&t| mesh.corners(t)).map(shape::volume).sum();
+        let total: f64 = mesh
+            .tets
+            .iter()
+            .filter_map(|&t| mesh.corners(t))
+            .map(shape::volume)
+            .sum();
         assert!((total - 0.125).abs() < 1e-15);
         assert_eq!(shape::surface(&mesh.tets).len(), 2 * 2 * (6 + 12 + 8));
     }

@@ -79,7 +79,9 @@ pub fn pieces(nodes: usize, tets: &[[u32; 4]]) -> usize {
             parent[a.max(b) as usize] = a.min(b);
         }
     }
-    (0..nodes as u32).filter(|&n| used[n as usize] && parent[n as usize] == n).count()
+    (0..nodes as u32)
+        .filter(|&n| used[n as usize] && parent[n as usize] == n)
+        .count()
 }
 
 #[cfg(test)]
@@ -121,6 +123,9 @@ mod tests {
         let tets = [[0, 1, 2, 3], [1, 2, 3, 4], [5, 6, 7, 8]];
         assert_eq!(surface(&tets).len(), 3 + 3 + 4);
         assert_eq!(pieces(10, &tets), 2); // node 9 is in no tet
-        assert_eq!(crowded_faces(&[[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 2, 5]]), 1);
+        assert_eq!(
+            crowded_faces(&[[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 2, 5]]),
+            1
+        );
     }
 }

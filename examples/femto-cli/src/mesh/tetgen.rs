@@ -9,7 +9,10 @@ use super::check::Problem;
 use super::{LIMIT, Mesh, NOWHERE};
 
 pub fn parse(node: &[u8], ele: &[u8]) -> Result<Mesh, String> {
-    let mut mesh = Mesh { format: "TetGen .node and .ele".into(), ..Mesh::default() };
+    let mut mesh = Mesh {
+        format: "TetGen .node and .ele".into(),
+        ..Mesh::default()
+    };
     let first = nodes(node, &mut mesh).map_err(|e| format!(".node {e}"))?;
     elements(ele, first, &mut mesh).map_err(|e| format!(".ele {e}"))?;
     Ok(mesh)
@@ -32,7 +35,11 @@ fn nodes(text: &[u8], mesh: &mut Mesh) -> Result<u64, String> {
             first = first_index(&row, name)?;
         }
         in_order(&row, name, first + i)?;
-        mesh.nodes.push(DVec3::new(row.get(1, "x")?, row.get(2, "y")?, row.get(3, "z")?));
+        mesh.nodes.push(DVec3::new(
+            row.get(1, "x")?,
+            row.get(2, "y")?,
+            row.get(3, "z")?,
+        ));
         mesh.node_names.push(name);
     }
     rows.end("nodes")?;
@@ -57,7 +64,11 @@ fn elements(text: &[u8], first: u64, mesh: &mut Mesh) -> Result<(), String> {
     for i in 0..count as u64 {
         let row = rows.next(&format!("tet {} of {count}", i + 1))?;
         let name: u64 = row.get(0, "a tet's index")?;
-        let start = if i == 0 { first_index(&row, name)? } else { mesh.tet_names[0] };
+        let start = if i == 0 {
+            first_index(&row, name)?
+        } else {
+            mesh.tet_names[0]
+        };
         in_order(&row, name, start + i)?;
         let mut tet = [NOWHERE; 4];
         for (c, corner) in tet.iter_mut().enumerate() {
@@ -99,14 +110,22 @@ struct Rows<'a> {
 impl<'a> Rows<'a> {
     fn new(text: &'a [u8]) -> Result<Self, String> {
         let text = std::str::from_utf8(text).map_err(|_| "is not text")?;
-        Ok(Rows { lines: text.lines().enumerate() })
+        Ok(Rows {
+            lines: text.lines().enumerate(),
+        })
     }
 
     fn find(&mut self) -> Option<Row<'a>> {
         self.lines.find_map(|(number, line)| {
             let line = line.split('#').next().unwrap_or("");
-            let fields: Vec<&str> = line.split([' ', '\t', ',', '\r']).filter(|f| !f.is_empty()).collect();
-            (!fields.is_empty()).then_some(Row { number: number + 1, fields })
+            let fields: Vec<&str> = line
+                .split([' ', '\t', ',', '\r'])
+                .filter(|f| !f.is_empty())
+                .collect();
+            (!fields.is_empty()).then_some(Row {
+                number: number + 1,
+                fields,
+            })
         })
     }
 
@@ -133,8 +152,12 @@ impl Row<'_> {
     }
 
     fn get<T: FromStr>(&self, field: usize, what: &str) -> Result<T, String> {
-        let text = self.fields.get(field).ok_or_else(|| self.at(&format!("{what} is missing")))?;
-        text.parse().map_err(|_| self.at(&format!("{what} is `{text}`, not a number that fits")))
+        let text = self
+            .fields
+            .get(field)
+            .ok_or_else(|| self.at(&format!("{what} is missing")))?;
+        text.parse()
+            .map_err(|_| self.at(&format!("{what} is `{text}`, not a number that fits")))
     }
 
     fn count(&self, field: usize, what: &str) -> Result<usize, String> {
@@ -149,7 +172,8 @@ impl Row<'_> {
 mod tests {
     use super::*;
 
-    const NODE: &str = "# a tet\n4 3 1 1\n\n0 0 0 0 9 1\n1 1 0 0 9 1 # x\n2 0 1e0 0 9 1\n3 0 0 1 9 1\n";
+    const NODE: &str =
+        "# a tet\n4 3 1 1\n\n0 0 0 0 9 1\n1 1 0 0 9 1 # x\n2 0 1e0 0 9 1\n3 0 0 1 9 1\n";
     const ELE: &str = "1 4 1\n0 0 1 2 3 7\n";
 
     fn fails(node: &str, ele: &str) -> String {
@@ -188,20 +212,47 @@ mod tests {
 
     #[test]
     fn errors_name_the_line() {
-        assert_eq!(fails("", ELE), ".node ends before its head, the number of nodes");
-        assert_eq!(fails("4 2 0 0\n", ELE), ".node line 1: dimension 2: must be 3");
-        assert_eq!(fails("1 3\n5 0 0 0\n", ELE), ".node line 2: the first index is 5: must be 0 or 1");
-        assert_eq!(fails("2 3\n0 0 0 0\n2 0 0 0\n", ELE), ".node line 3: index 2: expected 1");
-        assert_eq!(fails("1 3\n0 0 zero 0\n", ELE), ".node line 2: y is `zero`, not a number that fits");
+        assert_eq!(
+            fails("", ELE),
+            ".node ends before its head, the number of nodes"
+        );
+        assert_eq!(
+            fails("4 2 0 0\n", ELE),
+            ".node line 1: dimension 2: must be 3"
+        );
+        assert_eq!(
+            fails("1 3\n5 0 0 0\n", ELE),
+            ".node line 2: the first index is 5: must be 0 or 1"
+        );
+        assert_eq!(
+            fails("2 3\n0 0 0 0\n2 0 0 0\n", ELE),
+            ".node line 3: index 2: expected 1"
+        );
+        assert_eq!(
+            fails("1 3\n0 0 zero 0\n", ELE),
+            ".node line 2: y is `zero`, not a number that fits"
+        );
         assert_eq!(fails("1 3\n0 0 0\n", ELE), ".node line 2: z is missing");
         assert_eq!(
             fails("99999999999999 3\n", ELE),
             ".node line 1: the number of nodes is 99999999999999, more than 67108864"
         );
-        assert_eq!(fails("2 3\n0 0 0 0\n", ELE), ".node ends before node 2 of 2");
-        assert_eq!(fails("0 3\n0 0 0 0\n", ELE), ".node line 2: more nodes than the head says");
-        assert_eq!(fails(NODE, "1 10 0\n"), ".ele line 1: 10-node tets are not supported, only 4-node tets");
-        assert_eq!(fails(NODE, "1 4 0\n0 0 1 2\n"), ".ele line 2: a node's index is missing");
+        assert_eq!(
+            fails("2 3\n0 0 0 0\n", ELE),
+            ".node ends before node 2 of 2"
+        );
+        assert_eq!(
+            fails("0 3\n0 0 0 0\n", ELE),
+            ".node line 2: more nodes than the head says"
+        );
+        assert_eq!(
+            fails(NODE, "1 10 0\n"),
+            ".ele line 1: 10-node tets are not supported, only 4-node tets"
+        );
+        assert_eq!(
+            fails(NODE, "1 4 0\n0 0 1 2\n"),
+            ".ele line 2: a node's index is missing"
+        );
         assert_eq!(parse(b"\xff\xfe", b"").unwrap_err(), ".node is not text");
     }
 }

@@ -37,7 +37,10 @@ impl Frame {
     }
 
     fn of(points: impl Iterator<Item = DVec2>) -> Self {
-        let mut frame = Frame { low: DVec2::INFINITY, high: DVec2::NEG_INFINITY };
+        let mut frame = Frame {
+            low: DVec2::INFINITY,
+            high: DVec2::NEG_INFINITY,
+        };
         for p in points {
             frame.low = frame.low.min(p);
             frame.high = frame.high.max(p);
@@ -51,7 +54,11 @@ impl Camera {
     pub fn new(gravity: DVec3) -> Self {
         let vertical = (-gravity).try_normalize().unwrap_or(DVec3::Y);
         // The front is seen from +z, or from −y where z is up.
-        let front = if vertical.z.abs() < 0.9 { DVec3::Z } else { DVec3::NEG_Y };
+        let front = if vertical.z.abs() < 0.9 {
+            DVec3::Z
+        } else {
+            DVec3::NEG_Y
+        };
         let front = (front - vertical * front.dot(vertical)).normalize();
         let side = vertical.cross(front);
         let (sin_a, cos_a) = libm::sincos(AZIMUTH.to_radians());
@@ -60,7 +67,13 @@ impl Camera {
         let right = vertical.cross(eye).normalize();
         let up = eye.cross(right);
         let light = (vertical * 0.85 - right * 0.55 + eye * 0.45).normalize();
-        Camera { right, up, eye, light, vertical }
+        Camera {
+            right,
+            up,
+            eye,
+            light,
+            vertical,
+        }
     }
 
     pub fn project(&self, p: DVec3) -> DVec2 {
@@ -84,7 +97,9 @@ impl Camera {
                     }
                 }
                 Shape::Sphere { centre, radius } => {
-                    if radius < window.diagonal() && window.distance(centre) < radius + window.diagonal() {
+                    if radius < window.diagonal()
+                        && window.distance(centre) < radius + window.diagonal()
+                    {
                         let c = self.project(centre);
                         needed.extend([c - radius, c + radius]);
                     }
@@ -102,22 +117,41 @@ impl Camera {
 
     /// The piece of a plane that lies under a window, when it is near and seen from above.
     pub fn tile(&self, window: &Bounds, normal: DVec3, offset: f64) -> Option<Tile> {
-        let distance = window.corners().iter().map(|c| normal.dot(*c) - offset).fold(f64::INFINITY, f64::min);
+        let distance = window
+            .corners()
+            .iter()
+            .map(|c| normal.dot(*c) - offset)
+            .fold(f64::INFINITY, f64::min);
         if normal.dot(self.eye) < 0.05 || distance > window.diagonal() {
             return None;
         }
         // Grid lines run along the world's axes where the plane has them.
-        let axis = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().find(|a| normal.dot(*a).abs() < 1e-9);
+        let axis = [DVec3::X, DVec3::Y, DVec3::Z]
+            .into_iter()
+            .find(|a| normal.dot(*a).abs() < 1e-9);
         let u = axis.unwrap_or_else(|| normal.any_orthonormal_vector());
         let v = normal.cross(u);
         let corners = window.corners();
         let range = |axis: DVec3| {
-            let low = corners.iter().map(|c| axis.dot(*c)).fold(f64::INFINITY, f64::min);
-            let high = corners.iter().map(|c| axis.dot(*c)).fold(f64::NEG_INFINITY, f64::max);
+            let low = corners
+                .iter()
+                .map(|c| axis.dot(*c))
+                .fold(f64::INFINITY, f64::min);
+            let high = corners
+                .iter()
+                .map(|c| axis.dot(*c))
+                .fold(f64::NEG_INFINITY, f64::max);
             let margin = 0.5 * window.diagonal();
             (low - margin, high + margin)
         };
-        Some(Tile { normal, offset, u, v, u_range: range(u), v_range: range(v) })
+        Some(Tile {
+            normal,
+            offset,
+            u,
+            v,
+            u_range: range(u),
+            v_range: range(v),
+        })
     }
 }
 
@@ -138,7 +172,12 @@ impl Tile {
 
     pub fn corners(&self) -> [DVec3; 4] {
         let ((u0, u1), (v0, v1)) = (self.u_range, self.v_range);
-        [self.at(u0, v0), self.at(u1, v0), self.at(u1, v1), self.at(u0, v1)]
+        [
+            self.at(u0, v0),
+            self.at(u1, v0),
+            self.at(u1, v1),
+            self.at(u0, v1),
+        ]
     }
 
     /// Grid lines at round distances, some five to ten in the longer direction.
@@ -149,13 +188,20 @@ impl Tile {
             return Vec::new();
         }
         let power = libm::pow(10.0, libm::floor(libm::log10(length / 5.0)));
-        let spacing =
-            [5.0, 2.0, 1.0].into_iter().map(|m| m * power).find(|s| *s <= length / 5.0).unwrap_or(power);
+        let spacing = [5.0, 2.0, 1.0]
+            .into_iter()
+            .map(|m| m * power)
+            .find(|s| *s <= length / 5.0)
+            .unwrap_or(power);
         let ticks = |low: f64, high: f64| {
             let first = libm::ceil(low / spacing);
-            (0..100).map(move |i| (first + f64::from(i)) * spacing).take_while(move |t| *t <= high)
+            (0..100)
+                .map(move |i| (first + f64::from(i)) * spacing)
+                .take_while(move |t| *t <= high)
         };
         let across = ticks(u0, u1).map(|u| [self.at(u, v0), self.at(u, v1)]);
-        across.chain(ticks(v0, v1).map(|v| [self.at(u0, v), self.at(u1, v)])).collect()
+        across
+            .chain(ticks(v0, v1).map(|v| [self.at(u0, v), self.at(u1, v)]))
+            .collect()
     }
 }

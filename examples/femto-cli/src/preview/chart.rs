@@ -18,12 +18,21 @@ const COLOURS: [(&str, RGBColor, u32); 4] = [
 /// An SVG fragment of the given size.
 pub fn energies(points: impl Iterator<Item = (f64, Energies)>, width: f64, height: f64) -> String {
     let points: Vec<(f64, Energies)> = points.filter(|(_, e)| e.total().is_finite()).collect();
-    let lowest = points.iter().map(|(_, e)| e.potential).fold(f64::INFINITY, f64::min);
+    let lowest = points
+        .iter()
+        .map(|(_, e)| e.potential)
+        .fold(f64::INFINITY, f64::min);
     let lines: [Vec<(f64, f64)>; 4] = [
         points.iter().map(|(t, e)| (*t, e.kinetic)).collect(),
         points.iter().map(|(t, e)| (*t, e.elastic)).collect(),
-        points.iter().map(|(t, e)| (*t, e.potential - lowest)).collect(),
-        points.iter().map(|(t, e)| (*t, e.total() - lowest)).collect(),
+        points
+            .iter()
+            .map(|(t, e)| (*t, e.potential - lowest))
+            .collect(),
+        points
+            .iter()
+            .map(|(t, e)| (*t, e.total() - lowest))
+            .collect(),
     ];
     let size = ((width * FINE) as u32, (height * FINE) as u32);
     let mut svg = String::new();
@@ -53,7 +62,11 @@ fn draw(
 
     let root = SVGBackend::with_string(svg, size).into_drawing_area();
     let time = if end > 0.0 { end } else { 1.0 };
-    let top = if highest > lowest { highest + 0.06 * (highest - lowest) } else { unit };
+    let top = if highest > lowest {
+        highest + 0.06 * (highest - lowest)
+    } else {
+        unit
+    };
     let mut chart = ChartBuilder::on(&root)
         .margin_top(px(30.0))
         .margin_right(px(12.0))
@@ -81,15 +94,23 @@ fn draw(
             chart.draw_series([dot])?;
         }
         let points = line.iter().map(|(t, e)| (*t, e / unit));
-        chart.draw_series(LineSeries::new(points, colour.stroke_width(px(width.into()))))?;
+        chart.draw_series(LineSeries::new(
+            points,
+            colour.stroke_width(px(width.into())),
+        ))?;
     }
     // The legend, in one row above the chart.
     let mut x = px(70.0) as i32;
     let y = px(14.0) as i32;
     for (name, colour, width) in COLOURS {
         let stroke = colour.stroke_width(px(f64::from(width) + 0.5));
-        root.draw(&PathElement::new(vec![(x, y), (x + px(24.0) as i32, y)], stroke))?;
-        let style = font(15.5).color(&RGBColor(51, 61, 72)).pos(Pos::new(HPos::Left, VPos::Center));
+        root.draw(&PathElement::new(
+            vec![(x, y), (x + px(24.0) as i32, y)],
+            stroke,
+        ))?;
+        let style = font(15.5)
+            .color(&RGBColor(51, 61, 72))
+            .pos(Pos::new(HPos::Left, VPos::Center));
         root.draw_text(name, &style, (x + px(30.0) as i32, y))?;
         x += px(30.0 + 7.0 * name.len() as f64 + 26.0) as i32;
     }
@@ -100,7 +121,11 @@ fn draw(
 
 /// Zero where rounding left almost nothing of a tick.
 fn tidy(value: f64, range: f64) -> f64 {
-    if value.abs() < 1e-9 * range.abs() { 0.0 } else { value }
+    if value.abs() < 1e-9 * range.abs() {
+        0.0
+    } else {
+        value
+    }
 }
 
 fn unit(largest: f64) -> (f64, &'static str) {

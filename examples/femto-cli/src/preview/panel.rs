@@ -19,14 +19,23 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    pub const EMPTY: Bounds = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+    pub const EMPTY: Bounds = Bounds {
+        low: DVec3::INFINITY,
+        high: DVec3::NEG_INFINITY,
+    };
 
     pub fn of<'a>(points: impl Iterator<Item = &'a DVec3>) -> Self {
-        points.fold(Bounds::EMPTY, |b, &p| Bounds { low: b.low.min(p), high: b.high.max(p) })
+        points.fold(Bounds::EMPTY, |b, &p| Bounds {
+            low: b.low.min(p),
+            high: b.high.max(p),
+        })
     }
 
     pub fn and(&self, other: &Bounds) -> Self {
-        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
+        Bounds {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
     }
 
     /// Never zero, so that a body in one point has a picture too.
@@ -93,12 +102,20 @@ impl Panel<'_> {
         colliders: &[Collider],
     ) -> Group {
         let [width, height] = self.size;
-        let clip = ClipPath::new()
-            .set("id", self.name.as_str())
-            .add(Rectangle::new().set("width", px(width)).set("height", px(height)).set("rx", 6));
+        let clip = ClipPath::new().set("id", self.name.as_str()).add(
+            Rectangle::new()
+                .set("width", px(width))
+                .set("height", px(height))
+                .set("rx", 6),
+        );
         let mut content = Group::new()
             .set("clip-path", format!("url(#{})", self.name))
-            .add(Rectangle::new().set("width", px(width)).set("height", px(height)).set("fill", "#f3f5f8"));
+            .add(
+                Rectangle::new()
+                    .set("width", px(width))
+                    .set("height", px(height))
+                    .set("fill", "#f3f5f8"),
+            );
         for collider in colliders {
             if let Shape::Plane { normal, offset } = collider.shape {
                 content = self.ground(content, normal, offset, positions, surfaces);
@@ -114,7 +131,10 @@ impl Panel<'_> {
         for collider in colliders {
             if let Shape::Sphere { centre, radius } = collider.shape {
                 let ball = sphere(centre, radius);
-                facets.extend(ball.into_iter().filter_map(|c| self.facet(c, super::BODIES.len())));
+                facets.extend(
+                    ball.into_iter()
+                        .filter_map(|c| self.facet(c, super::BODIES.len())),
+                );
             }
         }
         facets.sort_by(|a, b| a.depth.total_cmp(&b.depth));
@@ -132,7 +152,10 @@ impl Panel<'_> {
             .set("rx", 6)
             .set("fill", "none")
             .set("stroke", "#d5dbe2");
-        Group::new().add(clip).add(content.add(triangles)).add(border)
+        Group::new()
+            .add(clip)
+            .add(content.add(triangles))
+            .add(border)
     }
 
     /// `None` for triangles that face away: a body is closed, so others hide them.
@@ -161,7 +184,9 @@ impl Panel<'_> {
         positions: &[Vec<DVec3>],
         surfaces: &[Vec<[u32; 3]>],
     ) -> Group {
-        let Some(tile) = self.camera.tile(self.window, normal, offset) else { return group };
+        let Some(tile) = self.camera.tile(self.window, normal, offset) else {
+            return group;
+        };
         let mut lines = String::new();
         for line in tile.lines() {
             let [a, b] = line.map(|p| self.pixel(p));
@@ -183,20 +208,37 @@ impl Panel<'_> {
             }
         }
         let floor = Path::new().set("d", self.outline(&tile.corners()));
-        group = group.add(floor.set("fill", "#e3e7ec").set("stroke", "#cdd3db")).add(
-            Path::new().set("d", lines).set("stroke", "#ccd2da").set("stroke-width", 0.7).set("fill", "none"),
-        );
+        group = group
+            .add(floor.set("fill", "#e3e7ec").set("stroke", "#cdd3db"))
+            .add(
+                Path::new()
+                    .set("d", lines)
+                    .set("stroke", "#ccd2da")
+                    .set("stroke-width", 0.7)
+                    .set("fill", "none"),
+            );
         if shadow.is_empty() {
             return group;
         }
-        group.add(Path::new().set("d", shadow).set("fill", "#9fa8b3").set("opacity", 0.75))
+        group.add(
+            Path::new()
+                .set("d", shadow)
+                .set("fill", "#9fa8b3")
+                .set("opacity", 0.75),
+        )
     }
 
     fn outline(&self, corners: &[DVec3]) -> String {
         let mut path = String::new();
         for (i, &corner) in corners.iter().enumerate() {
             let p = self.pixel(corner);
-            let _ = write!(path, "{}{},{}", if i == 0 { 'M' } else { 'L' }, px(p.x), px(p.y));
+            let _ = write!(
+                path,
+                "{}{},{}",
+                if i == 0 { 'M' } else { 'L' },
+                px(p.x),
+                px(p.y)
+            );
         }
         path + "Z"
     }
@@ -239,5 +281,10 @@ fn mix(from: &str, to: &str, t: f64) -> String {
         f64::from(u8::from_str_radix(digits, 16).unwrap_or(0))
     };
     let channel = |i| part(from, i) + (part(to, i) - part(from, i)) * t;
-    format!("#{:02x}{:02x}{:02x}", channel(0) as u8, channel(1) as u8, channel(2) as u8)
+    format!(
+        "#{:02x}{:02x}{:02x}",
+        channel(0) as u8,
+        channel(1) as u8,
+        channel(2) as u8
+    )
 }

@@ -88,8 +88,20 @@ impl Run {
 /// The rows of a table without its head, and the head.
 pub fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let head = reader.headers().expect("a head").iter().map(str::to_owned).collect();
-    let number = |field: &str| field.parse().unwrap_or_else(|_| panic!("`{field}` is a number"));
-    let rows = reader.records().map(|r| r.expect("a row").iter().map(number).collect()).collect();
+    let head = reader
+        .headers()
+        .expect("a head")
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let number = |field: &str| {
+        field
+            .parse()
+            .unwrap_or_else(|_| panic!("`{field}` is a number"))
+    };
+    let rows = reader
+        .records()
+        .map(|r| r.expect("a row").iter().map(number).collect())
+        .collect();
     (head, rows)
 }
