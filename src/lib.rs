@@ -108,8 +108,11 @@ pub mod report;
 pub mod rest;
 pub mod scene;
 pub mod settings;
+mod space;
+pub mod state;
 pub mod step;
 pub mod vector;
+pub mod workspace;
 
 pub use body::Body;
 pub use collider::Collider;

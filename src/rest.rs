@@ -171,6 +171,14 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
     };
 }
 
+/// Bytes of rest data.
+#[must_use]
+pub const fn rest_bytes<L: Layout>(nodes: usize, blocks: usize) -> usize {
+    nodes * (size_of::<[f32; 3]>() + size_of::<f32>())
+        + blocks * (size_of::<TetBlock>() + size_of::<L::Stiffness>())
+        + size_of::<Header>()
+}
+
 /// Rest data of up to `NODES` nodes and `BLOCKS` blocks of eight tetrahedra
 /// (`BLOCKS` = [`blocks`]`(tets)`), for a `static`.
 #[derive(Debug)]

@@ -22,7 +22,7 @@
 //! untouched without a copy of it.
 
 use crate::body::{StateMut, WorkspaceMut};
-use crate::cg::{self, Space, System, Translations};
+use crate::cg::{self, System};
 use crate::constraint::{ContactStep, Decisions, land, pin, touch};
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
@@ -32,16 +32,17 @@ pub use crate::report::{Refusal, StepReport};
 use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
-use crate::vector::{add_scaled, dot, momentum, multiply_blocks, sym_mul};
+use crate::space::{Space, Translations, fill_space, keep_momentum};
+use crate::vector::{add_scaled, dot, multiply_blocks, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
-struct Units {
-    dt: f32,
-    theta: f32,
+pub(crate) struct Units {
+    pub dt: f32,
+    pub theta: f32,
     /// m₀, kg
-    mass: f32,
+    pub mass: f32,
     /// v₀, m/s
-    velocity: f32,
+    pub velocity: f32,
     /// m₀v₀, N·s
     impulse: f32,
     /// c_M and c_K of A
@@ -385,100 +386,6 @@ fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
         sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
     }
     sqrt(sum)
-}
-
-/// Writes the stored vectors of W: the velocities v(t), v(t−h), …, then the rotations about the centre
-/// of mass, or of the pinned nodes; filtered.
-fn fill_space<L: Layout>(
-    rest: &Rest<'_, L>,
-    state: &StateMut<'_>,
-    scene: &Scene<'_>,
-    start: Start,
-    units: &Units,
-    filter: &[Sym3<f32>],
-    vectors: &mut [[f32; 3]],
-) {
-    let nodes = rest.nodes.len();
-    let (velocities, rotations) = match start {
-        Start::Galerkin(m) => (usize::from(m), false),
-        Start::Rigid(m) => (usize::from(m), true),
-        _ => (0, false),
-    };
-    let mut vectors = vectors.chunks_exact_mut(nodes);
-    let per_unit = 1.0 / units.velocity;
-    let past = core::iter::once(&*state.v).chain(state.history.chunks_exact(nodes));
-    for (w, v) in vectors.by_ref().zip(past).take(velocities) {
-        for ((w, v), p) in w.iter_mut().zip(v).zip(filter) {
-            *w = sym_mul(p, &v.map(|v| v * per_unit));
-        }
-    }
-    if rotations {
-        let centre = pivot(rest, state, scene);
-        let per_length = 1.0 / rest.header.length_unit;
-        for (axis, w) in vectors.take(3).enumerate() {
-            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-            for ((w, x), p) in w.iter_mut().zip(&*state.x).zip(filter) {
-                // e × (x − centre)
-                let mut turn = [0.0; 3];
-                turn[next] = -((x[last] - centre[last]) * per_length);
-                turn[last] = (x[next] - centre[next]) * per_length;
-                *w = sym_mul(p, &turn);
-            }
-        }
-    }
-}
-
-/// The centre of mass, or the middle of the pinned nodes.
-fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>) -> [f32; 3] {
-    if scene.pins.is_empty() {
-        return momentum(rest.masses, state.x).map(|sum| sum / rest.header.total_mass);
-    }
-    let (mut sum, mut count) = ([0.0_f32; 3], 0.0_f32);
-    for x in scene
-        .pins
-        .iter()
-        .filter_map(|pin| state.x.get(pin.node as usize))
-    {
-        for axis in 0..3 {
-            sum[axis] += x[axis];
-        }
-        count += 1.0;
-    }
-    sum.map(|s| s / count)
-}
-
-/// Gives a free body the linear momentum that its external forces leave it, to rounding:
-/// (1 + θhα) Σ m v⁺ = (1 − (1−θ)hα) Σ m v + h Σ f_external. W has the translations, so the solve gave it
-/// already, but for the rounding of elastic forces that cancel.
-fn keep_momentum<L: Layout>(
-    rest: &Rest<'_, L>,
-    state: &StateMut<'_>,
-    scene: &Scene<'_>,
-    units: &Units,
-    free: bool,
-    v: &mut [[f32; 3]],
-) {
-    let (h, alpha, total) = (units.dt, rest.header.alpha, rest.header.total_mass);
-    let before = momentum(rest.masses, state.v);
-    let now = momentum(rest.masses, v);
-    let mut force = [0.0_f32; 3];
-    for f in scene.forces {
-        for axis in 0..3 {
-            force[axis] += f[axis];
-        }
-    }
-    let gravity = scene.gravity.to_array();
-    let missing: [f32; 3] = core::array::from_fn(|axis| {
-        let kept = (1.0 - (1.0 - units.theta) * h * alpha) * before[axis];
-        let gained = h * (total * gravity[axis] + force[axis]);
-        let target = (kept + gained) / (1.0 + units.theta * h * alpha);
-        select(free, (target / units.velocity - now[axis]) / total, 0.0)
-    });
-    for v in v {
-        for axis in 0..3 {
-            v[axis] += missing[axis];
-        }
-    }
 }
 
 /// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.

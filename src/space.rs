@@ -1,0 +1,274 @@
+//! The space W that a step solves exactly: past velocities and rotations, stored with their products
+//! A w, and the translations of a free body, which need no storage.
+
+use crate::body::StateMut;
+use crate::cg::System;
+use crate::element::{Layout, Sym3};
+use crate::math::{ratio_or_zero, select, sqrt};
+use crate::rest::Rest;
+use crate::scene::Scene;
+use crate::settings::Start;
+use crate::step::Units;
+use crate::vector::{add_scaled, dot, momentum, sym_mul};
+
+/// The three translations of a free body: A t = c_M M t exactly, so they need no storage.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Translations<'a> {
+    pub masses: &'a [f32],
+    /// c_M
+    pub mass_factor: f32,
+    /// 1/Σ m_i while nothing holds the body, else 0: the vectors are then zero.
+    pub per_mass: f32,
+}
+
+impl Translations<'_> {
+    /// Σ m_i u_i / Σ m_i, or zero.
+    fn mean(&self, u: &[[f32; 3]]) -> [f32; 3] {
+        weighted_sum(self.masses, u).map(|sum| sum * self.per_mass)
+    }
+
+    /// Takes the mean motion out of `z`.
+    fn remove(&self, z: &mut [[f32; 3]]) {
+        let mean = self.mean(z);
+        for z in z.iter_mut() {
+            for axis in 0..3 {
+                z[axis] -= mean[axis];
+            }
+        }
+    }
+
+    /// Galerkin over the translations: v += t (t·r)/(t·At), r −= At (t·r)/(t·At).
+    fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
+        let mut sum = [0.0_f32; 3];
+        for r in r.iter() {
+            for axis in 0..3 {
+                sum[axis] += r[axis];
+            }
+        }
+        let speed = sum.map(|s| s * self.per_mass / self.mass_factor);
+        for ((v, r), m) in v.iter_mut().zip(r).zip(self.masses) {
+            let m = self.mass_factor * m;
+            for axis in 0..3 {
+                v[axis] += speed[axis];
+                r[axis] -= m * speed[axis];
+            }
+        }
+    }
+}
+
+fn weighted_sum(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
+    let mut sum = [0.0_f32; 3];
+    for (m, u) in masses.iter().zip(u) {
+        for axis in 0..3 {
+            sum[axis] += m * u[axis];
+        }
+    }
+    sum
+}
+
+/// The space W: some stored vectors with their products, and the translations.
+#[derive(Debug)]
+pub(crate) struct Space<'a> {
+    /// A-orthonormal vectors w_j, one after the other, `nodes` entries each.
+    pub vectors: &'a mut [[f32; 3]],
+    /// A w_j
+    pub products: &'a mut [[f32; 3]],
+    pub nodes: usize,
+    pub translations: Option<Translations<'a>>,
+}
+
+/// A vector that orthogonalisation shortens below this (squared) is parallel to the others.
+const PARALLEL: f32 = 1e-12;
+/// Squares below this (in the body's units) are nothing; far above f32's subnormals.
+pub(crate) const NOTHING: f32 = 1e-30;
+
+impl Space<'_> {
+    /// Makes the stored vectors A-orthonormal, in order. A vector that is zero, not finite, or
+    /// parallel to the ones before is replaced by zero, at the same cost.
+    pub fn orthonormalise(&mut self, system: &impl System) {
+        let count = self.vectors.len().checked_div(self.nodes).unwrap_or(0);
+        for k in 0..count {
+            let (vectors, rest) = self.vectors.split_at_mut(k * self.nodes);
+            let (products, rest_products) = self.products.split_at_mut(k * self.nodes);
+            let (Some(w), Some(aw)) = (
+                rest.get_mut(..self.nodes),
+                rest_products.get_mut(..self.nodes),
+            ) else {
+                return;
+            };
+            let before = dot(w, w);
+            // Twice is enough (Giraud, Langou and Rozloznik 2005).
+            for _ in 0..2 {
+                if let Some(translations) = &self.translations {
+                    translations.remove(w);
+                }
+                remove(vectors, products, self.nodes, w);
+            }
+            let after = dot(w, w);
+            system.apply(w, aw);
+            let square = dot(w, aw);
+            let usable = (after > PARALLEL * before)
+                & (after > NOTHING)
+                & (square > NOTHING)
+                & square.is_finite();
+            let scale = 1.0 / sqrt(select(usable, square, 1.0));
+            for x in w.as_flattened_mut().iter_mut().chain(aw.as_flattened_mut()) {
+                *x = select(usable, *x * scale, 0.0);
+            }
+        }
+    }
+
+    /// Galerkin over W: v += w (w·r), r −= Aw (w·r).
+    pub fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
+        if let Some(translations) = &self.translations {
+            translations.project(v, r);
+        }
+        for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
+            let c = dot(w, r);
+            add_scaled(v, c, w);
+            add_scaled(r, -c, aw);
+        }
+    }
+
+    /// Galerkin over one more vector `g`, with its coefficient held between 0 and 1: v += τ g', r −= τ Ag'
+    /// where g' is g made A-orthogonal to the stored vectors. `g` and `ag` = A g are overwritten.
+    pub fn close_gap(
+        &self,
+        v: &mut [[f32; 3]],
+        r: &mut [[f32; 3]],
+        g: &mut [[f32; 3]],
+        ag: &mut [[f32; 3]],
+    ) {
+        for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
+            let c = dot(aw, g);
+            add_scaled(g, -c, w);
+            add_scaled(ag, -c, aw);
+        }
+        let tau = ratio_or_zero(dot(g, r), dot(g, ag), 0.0);
+        let tau = select(tau > 0.0, select(tau < 1.0, tau, 1.0), 0.0);
+        add_scaled(v, tau, g);
+        add_scaled(r, -tau, ag);
+    }
+
+    /// Makes `z` A-orthogonal to W.
+    pub fn orthogonalise(&self, z: &mut [[f32; 3]]) {
+        if let Some(translations) = &self.translations {
+            translations.remove(z);
+        }
+        remove(self.vectors, self.products, self.nodes, z);
+    }
+}
+
+/// The stored vectors with their products.
+fn pairs<'a>(
+    vectors: &'a [[f32; 3]],
+    products: &'a [[f32; 3]],
+    nodes: usize,
+) -> impl Iterator<Item = (&'a [[f32; 3]], &'a [[f32; 3]])> {
+    // A body has nodes; `max` only keeps a division by zero out of the binary.
+    vectors
+        .chunks_exact(nodes.max(1))
+        .zip(products.chunks_exact(nodes.max(1)))
+}
+
+/// z −= w_j (Aw_j·z)
+fn remove(vectors: &[[f32; 3]], products: &[[f32; 3]], nodes: usize, z: &mut [[f32; 3]]) {
+    for (w, aw) in pairs(vectors, products, nodes) {
+        let c = dot(aw, z);
+        add_scaled(z, -c, w);
+    }
+}
+
+/// Writes the stored vectors of W: the velocities v(t), v(t−h), …, then the rotations about the centre
+/// of mass, or of the pinned nodes; filtered.
+pub(crate) fn fill_space<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    start: Start,
+    units: &Units,
+    filter: &[Sym3<f32>],
+    vectors: &mut [[f32; 3]],
+) {
+    let nodes = rest.nodes.len();
+    let (velocities, rotations) = match start {
+        Start::Galerkin(m) => (usize::from(m), false),
+        Start::Rigid(m) => (usize::from(m), true),
+        _ => (0, false),
+    };
+    let mut vectors = vectors.chunks_exact_mut(nodes);
+    let per_unit = 1.0 / units.velocity;
+    let past = core::iter::once(&*state.v).chain(state.history.chunks_exact(nodes));
+    for (w, v) in vectors.by_ref().zip(past).take(velocities) {
+        for ((w, v), p) in w.iter_mut().zip(v).zip(filter) {
+            *w = sym_mul(p, &v.map(|v| v * per_unit));
+        }
+    }
+    if rotations {
+        let centre = pivot(rest, state, scene);
+        let per_length = 1.0 / rest.header.length_unit;
+        for (axis, w) in vectors.take(3).enumerate() {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            for ((w, x), p) in w.iter_mut().zip(&*state.x).zip(filter) {
+                // e × (x − centre)
+                let mut turn = [0.0; 3];
+                turn[next] = -((x[last] - centre[last]) * per_length);
+                turn[last] = (x[next] - centre[next]) * per_length;
+                *w = sym_mul(p, &turn);
+            }
+        }
+    }
+}
+
+/// The centre of mass, or the middle of the pinned nodes.
+fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>) -> [f32; 3] {
+    if scene.pins.is_empty() {
+        return momentum(rest.masses, state.x).map(|sum| sum / rest.header.total_mass);
+    }
+    let (mut sum, mut count) = ([0.0_f32; 3], 0.0_f32);
+    for x in scene
+        .pins
+        .iter()
+        .filter_map(|pin| state.x.get(pin.node as usize))
+    {
+        for axis in 0..3 {
+            sum[axis] += x[axis];
+        }
+        count += 1.0;
+    }
+    sum.map(|s| s / count)
+}
+
+/// Gives a free body the linear momentum that its external forces leave it, to rounding:
+/// (1 + θhα) Σ m v⁺ = (1 − (1−θ)hα) Σ m v + h Σ f_external. W has the translations, so the solve gave it
+/// already, but for the rounding of elastic forces that cancel.
+pub(crate) fn keep_momentum<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &StateMut<'_>,
+    scene: &Scene<'_>,
+    units: &Units,
+    free: bool,
+    v: &mut [[f32; 3]],
+) {
+    let (h, alpha, total) = (units.dt, rest.header.alpha, rest.header.total_mass);
+    let before = momentum(rest.masses, state.v);
+    let now = momentum(rest.masses, v);
+    let mut force = [0.0_f32; 3];
+    for f in scene.forces {
+        for axis in 0..3 {
+            force[axis] += f[axis];
+        }
+    }
+    let gravity = scene.gravity.to_array();
+    let missing: [f32; 3] = core::array::from_fn(|axis| {
+        let kept = (1.0 - (1.0 - units.theta) * h * alpha) * before[axis];
+        let gained = h * (total * gravity[axis] + force[axis]);
+        let target = (kept + gained) / (1.0 + units.theta * h * alpha);
+        select(free, (target / units.velocity - now[axis]) / total, 0.0)
+    });
+    for v in v {
+        for axis in 0..3 {
+            v[axis] += missing[axis];
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Scratch of a step. It carries nothing from one step to the next, so any number of bodies share it.
+
+use crate::element::{Factored, Layout, Sym3};
+use crate::rest::Rest;
+
+/// Scratch of a step, borrowed.
+#[derive(Debug)]
+pub struct WorkspaceMut<'a, L: Layout = Factored> {
+    pub(crate) rotated: &'a mut [L::Rotated],
+    pub(crate) filter: &'a mut [Sym3<f32>],
+    pub(crate) blocks: &'a mut [Sym3<f32>],
+    pub(crate) inertia: &'a mut [f32],
+    pub(crate) v: &'a mut [[f32; 3]],
+    pub(crate) r: &'a mut [[f32; 3]],
+    pub(crate) p: &'a mut [[f32; 3]],
+    pub(crate) q: &'a mut [[f32; 3]],
+    pub(crate) vectors: &'a mut [[f32; 3]],
+    pub(crate) products: &'a mut [[f32; 3]],
+}
+
+/// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors)).
+#[must_use]
+pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
+    nodes
+        * ((4 + 2 * vectors) * size_of::<[f32; 3]>()
+            + 2 * size_of::<Sym3<f32>>()
+            + size_of::<f32>())
+        + blocks * size_of::<L::Rotated>()
+}
+
+/// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, and `VECTORS` stored vectors of W.
+#[derive(Debug)]
+pub struct Workspace<
+    const NODES: usize,
+    const BLOCKS: usize,
+    const VECTORS: usize = 1,
+    L: Layout = Factored,
+> {
+    rotated: [L::Rotated; BLOCKS],
+    filter: [Sym3<f32>; NODES],
+    blocks: [Sym3<f32>; NODES],
+    inertia: [f32; NODES],
+    vectors: [[[f32; 3]; NODES]; 4],
+    space: [[[f32; 3]; NODES]; VECTORS],
+    products: [[[f32; 3]; NODES]; VECTORS],
+}
+
+impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
+    Workspace<NODES, BLOCKS, VECTORS, L>
+{
+    /// All bits zero.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            rotated: [const { L::ZERO_ROTATED }; BLOCKS],
+            filter: [[0.0; 6]; NODES],
+            blocks: [[0.0; 6]; NODES],
+            inertia: [0.0; NODES],
+            vectors: [[[0.0; 3]; NODES]; 4],
+            space: [[[0.0; 3]; NODES]; VECTORS],
+            products: [[[0.0; 3]; NODES]; VECTORS],
+        }
+    }
+
+    /// Borrows what a body of this size needs; where it has too little room, empty slices, which a
+    /// step refuses.
+    #[must_use]
+    pub fn view_mut(&mut self, rest: &Rest<'_, L>) -> WorkspaceMut<'_, L> {
+        let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
+        let [v, r, p, q] = &mut self.vectors;
+        WorkspaceMut {
+            rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
+            filter: self.filter.get_mut(..nodes).unwrap_or_default(),
+            blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
+            inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
+            v: v.get_mut(..nodes).unwrap_or_default(),
+            r: r.get_mut(..nodes).unwrap_or_default(),
+            p: p.get_mut(..nodes).unwrap_or_default(),
+            q: q.get_mut(..nodes).unwrap_or_default(),
+            vectors: self
+                .space
+                .as_flattened_mut()
+                .get_mut(..VECTORS * nodes)
+                .unwrap_or_default(),
+            products: self
+                .products
+                .as_flattened_mut()
+                .get_mut(..VECTORS * nodes)
+                .unwrap_or_default(),
+        }
+    }
+}
+
+impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout> Default
+    for Workspace<NODES, BLOCKS, VECTORS, L>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
