@@ -37,7 +37,7 @@ use glam::Vec3;
 
 use crate::collider::Collider;
 use crate::element::Sym3;
-use crate::math::{ratio_or_zero, select, select3, sqrt};
+use crate::math::{Mask, ratio_or_zero, select, select3, sqrt};
 use crate::vector::sym_mul;
 
 /// A node whose velocity is prescribed (m/s); zero holds it.
@@ -181,8 +181,9 @@ pub(crate) fn touch(
             let s = s.to_array();
             let hold = sym_mul(p, &[s[0] - c[0], s[1] - c[1], s[2] - c[2]]);
             *c = select3(sticks, [c[0] + hold[0], c[1] + hold[1], c[2] + hold[2]], *c);
+            let free = Mask::of(!sticks);
             for entry in p.iter_mut() {
-                *entry = select(sticks, 0.0, *entry);
+                *entry = free.keep(*entry);
             }
         }
     }

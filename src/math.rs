@@ -16,23 +16,47 @@ pub fn sqrt(x: f32) -> f32 {
     libm::sqrtf(x)
 }
 
-/// `yes` if `condition`, else `no`, by bit masks: no branch, so the cost never depends on the data.
+/// A decision as a bit mask, all ones or all zeros: choosing costs the same either way.
+#[derive(Clone, Copy, Debug)]
+pub struct Mask(u32);
+
+impl Mask {
+    /// The optimiser may not look behind it: it would turn choices into branches (seen with LLVM on
+    /// x86-64), whose cost depends on the data.
+    #[inline]
+    #[must_use]
+    pub fn of(condition: bool) -> Self {
+        Self(core::hint::black_box(u32::from(condition).wrapping_neg()))
+    }
+
+    /// `yes` if the condition held, else `no`.
+    #[inline]
+    #[must_use]
+    pub fn pick(self, yes: f32, no: f32) -> f32 {
+        f32::from_bits((yes.to_bits() & self.0) | (no.to_bits() & !self.0))
+    }
+
+    /// `x` if the condition held, else 0, also where `x` is NaN.
+    #[inline]
+    #[must_use]
+    pub fn keep(self, x: f32) -> f32 {
+        f32::from_bits(x.to_bits() & self.0)
+    }
+}
+
+/// `yes` if `condition`, else `no`, by a [`Mask`].
 #[inline]
 #[must_use]
 pub fn select(condition: bool, yes: f32, no: f32) -> f32 {
-    let mask = u32::from(condition).wrapping_neg();
-    f32::from_bits((yes.to_bits() & mask) | (no.to_bits() & !mask))
+    Mask::of(condition).pick(yes, no)
 }
 
 /// [`select`] for three components.
 #[inline]
 #[must_use]
 pub fn select3(condition: bool, yes: [f32; 3], no: [f32; 3]) -> [f32; 3] {
-    [
-        select(condition, yes[0], no[0]),
-        select(condition, yes[1], no[1]),
-        select(condition, yes[2], no[2]),
-    ]
+    let mask = Mask::of(condition);
+    core::array::from_fn(|axis| mask.pick(yes[axis], no[axis]))
 }
 
 /// `numerator / denominator` where `denominator > floor` and the quotient is finite, else 0.
@@ -44,7 +68,7 @@ pub fn select3(condition: bool, yes: [f32; 3], no: [f32; 3]) -> [f32; 3] {
 pub fn ratio_or_zero(numerator: f32, denominator: f32, floor: f32) -> f32 {
     let usable = denominator > floor;
     let quotient = numerator / select(usable, denominator, 1.0);
-    select(usable & quotient.is_finite(), quotient, 0.0)
+    Mask::of(usable & quotient.is_finite()).keep(quotient)
 }
 
 /// The largest power of two not above `x`, for finite `x ≥ f32::MIN_POSITIVE`; 1 otherwise.

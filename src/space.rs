@@ -4,7 +4,7 @@
 use crate::body::StateMut;
 use crate::cg::System;
 use crate::element::{Layout, Sym3};
-use crate::math::{ratio_or_zero, select, sqrt};
+use crate::math::{Mask, ratio_or_zero, select, sqrt};
 use crate::rest::Rest;
 use crate::scene::Scene;
 use crate::settings::Start;
@@ -111,9 +111,10 @@ impl Space<'_> {
                 & (after > NOTHING)
                 & (square > NOTHING)
                 & square.is_finite();
-            let scale = 1.0 / sqrt(select(usable, square, 1.0));
+            let usable = Mask::of(usable);
+            let scale = 1.0 / sqrt(usable.pick(square, 1.0));
             for x in w.as_flattened_mut().iter_mut().chain(aw.as_flattened_mut()) {
-                *x = select(usable, *x * scale, 0.0);
+                *x = usable.keep(*x * scale);
             }
         }
     }
