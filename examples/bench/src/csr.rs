@@ -78,8 +78,8 @@ impl BlockCsr {
     }
 
     /// Assembles M + K anew: K_ij = λ G_i G_jᵀ + μ (G_i·G_j) I + μ G_j G_iᵀ.
-    pub fn refill(&mut self, masses: &[f32], mass: f32, elements: &[Element]) {
-        self.clear(masses.iter().map(|m| mass * m));
+    pub fn refill(&mut self, inertia: &[f32], elements: &[Element]) {
+        self.clear(inertia.iter().copied());
         for (tet, element) in elements.iter().enumerate() {
             let Element { gradients, lambda, mu } = element;
             let scaled = gradients.map(|g| g.map(|g| lambda * g));

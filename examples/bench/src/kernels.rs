@@ -23,6 +23,8 @@ pub struct Body<L: Layout> {
     pub v: Vec<[f32; 3]>,
     pub rotations: Vec<RotationBlock>,
     pub rotated: Vec<L::Rotated>,
+    /// The masses, in the body's units.
+    pub inertia: Vec<f32>,
 }
 
 impl<L: Layout> Body<L> {
@@ -37,7 +39,8 @@ impl<L: Layout> Body<L> {
         let mut rotated = vec![L::ZERO_ROTATED; view.blocks.len()];
         let mut forces = vec![[0.0; 3]; scene.x.len()];
         rotate::<f32, L>(&view, &scene.x, &rotations, 1.0, &mut rotated, &mut forces);
-        Self { rest, x: scene.x.clone(), v: scene.v.clone(), rotations, rotated }
+        let inertia = view.masses.iter().map(|m| m / view.header.mass_unit).collect();
+        Self { rest, x: scene.x.clone(), v: scene.v.clone(), rotations, rotated, inertia }
     }
 
     /// M + h²K in the body's units.
@@ -45,7 +48,7 @@ impl<L: Layout> Body<L> {
         let rest = self.rest.view();
         let (mass, length) = (rest.header.mass_unit, rest.header.length_unit);
         let stiffness = DT * DT / mass / length / length;
-        Operator { rest, rotated: &self.rotated, mass: 1.0 / mass, stiffness }
+        Operator { rest, rotated: &self.rotated, inertia: &self.inertia, stiffness }
     }
 
     /// In the state of the scene, with what `start` needs to step from there.

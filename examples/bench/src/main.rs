@@ -66,7 +66,7 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     let operator = body.operator();
     let elements = elements(&body, operator.stiffness);
     let mut matrix = BlockCsr::new(scene.nodes.len(), &scene.tets);
-    matrix.refill(operator.rest.masses, operator.mass, &elements);
+    matrix.refill(operator.inertia, &elements);
     println!("\n{} tetrahedra, {} nodes", scene.tets.len(), scene.nodes.len());
     guard::products(&body, &matrix);
     if scene.tets.len() < 10_000 {
@@ -80,7 +80,7 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     let mut all = vec![
         Kernel::new(PLAIN, 1, || matrix.product(&body.v, &mut plain)),
         Kernel::new(IN_LANES, 1, || matrix.product_in_lanes(&body.v, &mut in_lanes)),
-        Kernel::new(REFILL, 1, || refilled.refill(operator.rest.masses, operator.mass, &elements)),
+        Kernel::new(REFILL, 1, || refilled.refill(operator.inertia, &elements)),
         Kernel::new(SVD, 1, || rotations_only.rotations(&mut rotations)),
         Kernel::after(BASELINE, 1, Baseline::new(scene, &body), |b| b.reset(scene), |b| b.step(5)),
     ];
