@@ -46,7 +46,9 @@ impl Baseline {
         let rest = body.rest.view();
         let tet = |(tet, &corners): (usize, &[u32; 4])| {
             let (block, lane) = (&rest.blocks[tet / 8], tet % 8);
-            let g: [Vector3<f32>; 3] = block.gradients.map(|g| Vector3::from(g.map(|axis| axis[lane])));
+            let g: [Vector3<f32>; 3] = block
+                .gradients
+                .map(|g| Vector3::from(g.map(|axis| axis[lane])));
             let (lambda, mu) = (block.lambda_v[lane], block.mu_v[lane]);
             let gradients = Matrix3::from_rows(&g.map(|g| g.transpose()));
             let g = [-(g[0] + g[1] + g[2]), g[0], g[1], g[2]];
@@ -56,7 +58,11 @@ impl Baseline {
                     gi * gj.transpose() * lambda + isotropic + gj * gi.transpose() * mu
                 })
             });
-            Tet { corners, gradients, stiffness }
+            Tet {
+                corners,
+                gradients,
+                stiffness,
+            }
         };
         let zeros = || vec![[0.0; 3]; scene.nodes.len()];
         Self {
@@ -91,7 +97,12 @@ impl Baseline {
         // A v⁺ = M v + h f, from v(t).
         v.copy_from_slice(&self.v);
         self.matrix.product_in_lanes(v, q);
-        let rows = r.iter_mut().zip(&self.v).zip(&self.forces).zip(&self.masses).zip(&*q);
+        let rows = r
+            .iter_mut()
+            .zip(&self.v)
+            .zip(&self.forces)
+            .zip(&self.masses)
+            .zip(&*q);
         for ((((r, v), f), m), q) in rows {
             *r = [0, 1, 2].map(|axis| m * v[axis] + DT * f[axis] - q[axis]);
         }

@@ -26,7 +26,11 @@ impl<'a> Kernel<'a> {
             }
             start.elapsed()
         };
-        Self { row, lanes, run: Box::new(run) }
+        Self {
+            row,
+            lanes,
+            run: Box::new(run),
+        }
     }
 
     /// A kernel that runs on `state` after an untimed `reset`.
@@ -47,7 +51,11 @@ impl<'a> Kernel<'a> {
             }
             total
         };
-        Self { row, lanes, run: Box::new(run) }
+        Self {
+            row,
+            lanes,
+            run: Box::new(run),
+        }
     }
 }
 
@@ -61,7 +69,10 @@ pub struct Effort {
 
 /// Seconds per run of each kernel.
 pub fn time(kernels: &mut [Kernel<'_>], effort: Effort) -> Vec<f64> {
-    let repeats: Vec<u32> = kernels.iter_mut().map(|kernel| calibrated(&mut kernel.run, effort)).collect();
+    let repeats: Vec<u32> = kernels
+        .iter_mut()
+        .map(|kernel| calibrated(&mut kernel.run, effort))
+        .collect();
     let mut best = vec![f64::INFINITY; kernels.len()];
     for _ in 0..effort.rounds {
         for ((kernel, &repeats), best) in kernels.iter_mut().zip(&repeats).zip(&mut best) {

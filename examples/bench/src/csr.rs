@@ -43,9 +43,18 @@ impl BlockCsr {
         let entry = |i: u32, j: u32| {
             starts[i as usize] + neighbours[i as usize].partition_point(|&column| column < j) as u32
         };
-        let slots = tets.iter().map(|tet| tet.map(|i| tet.map(|j| entry(i, j)))).collect();
+        let slots = tets
+            .iter()
+            .map(|tet| tet.map(|i| tet.map(|j| entry(i, j))))
+            .collect();
         let values = vec![0.0; 9 * columns.len() + 3];
-        Self { starts, columns, values, diagonal, slots }
+        Self {
+            starts,
+            columns,
+            values,
+            diagonal,
+            slots,
+        }
     }
 
     /// Blocks per tetrahedron.
@@ -81,7 +90,11 @@ impl BlockCsr {
     pub fn refill(&mut self, inertia: &[f32], elements: &[Element]) {
         self.clear(inertia.iter().copied());
         for (tet, element) in elements.iter().enumerate() {
-            let Element { gradients, lambda, mu } = element;
+            let Element {
+                gradients,
+                lambda,
+                mu,
+            } = element;
             let scaled = gradients.map(|g| g.map(|g| lambda * g));
             let halved = gradients.map(|g| g.map(|g| mu * g));
             self.add(tet, |i, j| {
@@ -132,6 +145,8 @@ impl BlockCsr {
 
     /// The diagonal.
     pub fn diagonal(&self) -> impl Iterator<Item = [f32; 3]> {
-        self.diagonal.iter().map(|&entry| [0, 4, 8].map(|k| self.values[9 * entry as usize + k]))
+        self.diagonal
+            .iter()
+            .map(|&entry| [0, 4, 8].map(|k| self.values[9 * entry as usize + k]))
     }
 }

@@ -20,16 +20,31 @@ pub fn products(body: &Body<Factored>, matrix: &BlockCsr) {
     body.operator().apply::<Native>(&body.v, &mut ours);
     let mut theirs = ours.clone();
     matrix.product(&body.v, &mut theirs);
-    agree("block-CSR product", PRODUCT, &ours, &theirs, &vec![[0.0; 3]; ours.len()]);
+    agree(
+        "block-CSR product",
+        PRODUCT,
+        &ours,
+        &theirs,
+        &vec![[0.0; 3]; ours.len()],
+    );
     matrix.product_in_lanes(&body.v, &mut theirs);
-    agree("block-CSR product in lanes", PRODUCT, &ours, &theirs, &vec![[0.0; 3]; ours.len()]);
+    agree(
+        "block-CSR product in lanes",
+        PRODUCT,
+        &ours,
+        &theirs,
+        &vec![[0.0; 3]; ours.len()],
+    );
 }
 
 /// One step of the baseline changes the velocities as femto's does, after five iterations and
 /// converged.
 pub fn steps(scene: &Scene, body: &Body<Factored>) {
     for iterations in [5, 200] {
-        let budget = Budget { iterations, polar_sweeps: 2 };
+        let budget = Budget {
+            iterations,
+            polar_sweeps: 2,
+        };
         let settings = Settings::new(DT).expect("a positive time step");
         let mut ours = body.stepper(settings.with_start(Start::Velocity).with_budget(budget));
         ours.step::<Native>();
@@ -48,11 +63,17 @@ pub fn steps(scene: &Scene, body: &Body<Factored>) {
 /// ‖a − b‖ ≤ tolerance ‖a − origin‖
 fn agree(what: &str, tolerance: f64, a: &[[f32; 3]], b: &[[f32; 3]], origin: &[[f32; 3]]) {
     let error = distance(a, b) / distance(a, origin);
-    assert!(error <= tolerance, "{what}: off by {error:.1e}, more than {tolerance:.0e}");
+    assert!(
+        error <= tolerance,
+        "{what}: off by {error:.1e}, more than {tolerance:.0e}"
+    );
     println!("guard: {what}: off by {error:.1e} (at most {tolerance:.0e})");
 }
 
 fn distance(a: &[[f32; 3]], b: &[[f32; 3]]) -> f64 {
     let pairs = a.as_flattened().iter().zip(b.as_flattened());
-    pairs.map(|(&a, &b)| (f64::from(a) - f64::from(b)).powi(2)).sum::<f64>().sqrt()
+    pairs
+        .map(|(&a, &b)| (f64::from(a) - f64::from(b)).powi(2))
+        .sum::<f64>()
+        .sqrt()
 }

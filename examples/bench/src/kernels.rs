@@ -39,8 +39,19 @@ impl<L: Layout> Body<L> {
         let mut rotated = vec![L::ZERO_ROTATED; view.blocks.len()];
         let mut forces = vec![[0.0; 3]; scene.x.len()];
         rotate::<f32, L>(&view, &scene.x, &rotations, 1.0, &mut rotated, &mut forces);
-        let inertia = view.masses.iter().map(|m| m / view.header.mass_unit).collect();
-        Self { rest, x: scene.x.clone(), v: scene.v.clone(), rotations, rotated, inertia }
+        let inertia = view
+            .masses
+            .iter()
+            .map(|m| m / view.header.mass_unit)
+            .collect();
+        Self {
+            rest,
+            x: scene.x.clone(),
+            v: scene.v.clone(),
+            rotations,
+            rotated,
+            inertia,
+        }
     }
 
     /// M + h²K in the body's units.
@@ -48,15 +59,25 @@ impl<L: Layout> Body<L> {
         let rest = self.rest.view();
         let (mass, length) = (rest.header.mass_unit, rest.header.length_unit);
         let stiffness = DT * DT / mass / length / length;
-        Operator { rest, rotated: &self.rotated, inertia: &self.inertia, stiffness }
+        Operator {
+            rest,
+            rotated: &self.rotated,
+            inertia: &self.inertia,
+            stiffness,
+        }
     }
 
     /// In the state of the scene, with what `start` needs to step from there.
     pub fn stepper(&self, settings: Settings) -> Stepper<'_, L> {
         let rest = self.rest.view();
         let workspace = OwnedWorkspace::new(&rest, settings.start);
-        let mut stepper =
-            Stepper { body: self, rest, state: OwnedState::new(&rest, settings.start), workspace, settings };
+        let mut stepper = Stepper {
+            body: self,
+            rest,
+            state: OwnedState::new(&rest, settings.start),
+            workspace,
+            settings,
+        };
         stepper.reset();
         stepper
     }
@@ -82,8 +103,13 @@ impl<L: Layout> Stepper<'_, L> {
     pub fn step<R: Lanes>(&mut self) {
         let mut work = self.workspace.view_mut(&self.rest);
         let scene = step::Scene::default();
-        let report =
-            step::<R, L>(&self.rest, &mut self.state.view_mut(), &mut work, &scene, &self.settings);
+        let report = step::<R, L>(
+            &self.rest,
+            &mut self.state.view_mut(),
+            &mut work,
+            &scene,
+            &self.settings,
+        );
         assert!(report.advanced(), "{report:?}");
     }
 
@@ -127,15 +153,33 @@ pub fn kernels<'a, R: Lanes + 'a, L: Layout>(body: &'a Body<L>, rows: &Rows) -> 
     let operator = body.operator();
     let mut out = vec![[0.0; 3]; nodes];
     let apply = move || operator.apply::<R>(&body.v, &mut out);
-    let (mut rotated, mut forces) = (vec![L::ZERO_ROTATED; rest.blocks.len()], vec![[0.0; 3]; nodes]);
+    let (mut rotated, mut forces) = (
+        vec![L::ZERO_ROTATED; rest.blocks.len()],
+        vec![[0.0; 3]; nodes],
+    );
     let rotate = move || {
-        rotate::<R, L>(&rest, &body.x, &body.rotations, DT, &mut rotated, &mut forces);
+        rotate::<R, L>(
+            &rest,
+            &body.x,
+            &body.rotations,
+            DT,
+            &mut rotated,
+            &mut forces,
+        );
     };
     let mut blocks = vec![[0.0; 6]; nodes];
     let diagonal = move || operator.diagonal::<R>(&mut blocks);
     let step = |row, start| {
-        let settings = Settings::new(DT).expect("a positive time step").with_start(start);
-        Kernel::after(row, R::WIDTH, body.stepper(settings), Stepper::reset, Stepper::step::<R>)
+        let settings = Settings::new(DT)
+            .expect("a positive time step")
+            .with_start(start);
+        Kernel::after(
+            row,
+            R::WIDTH,
+            body.stepper(settings),
+            Stepper::reset,
+            Stepper::step::<R>,
+        )
     };
     vec![
         Kernel::new(rows.apply, R::WIDTH, apply),

@@ -42,21 +42,45 @@ const MESHES: [[u32; 3]; 4] = [[4, 4, 4], [8, 8, 8], [16, 16, 16], [24, 24, 23]]
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let Some(unknown) = arguments.iter().find(|a| !["--quick", "--check"].contains(&a.as_str())) {
+    if let Some(unknown) = arguments
+        .iter()
+        .find(|a| !["--quick", "--check"].contains(&a.as_str()))
+    {
         eprintln!("unknown argument {unknown}; known are --quick and --check");
         return ExitCode::from(2);
     }
     let given = |name: &str| arguments.iter().any(|argument| argument == name);
     let effort = if given("--quick") {
-        Effort { rounds: 7, sample: Duration::from_micros(200) }
+        Effort {
+            rounds: 7,
+            sample: Duration::from_micros(200),
+        }
     } else {
-        Effort { rounds: 40, sample: Duration::from_millis(1) }
+        Effort {
+            rounds: 40,
+            sample: Duration::from_millis(1),
+        }
     };
-    let features = if cfg!(target_feature = "avx2") { "with AVX2" } else { "without AVX2" };
-    println!("built for {} {features}, native lanes: {}", std::env::consts::ARCH, Native::WIDTH);
-    let tables: Vec<Table> = MESHES.iter().map(|&cells| measure(&box_scene(cells), effort)).collect();
+    let features = if cfg!(target_feature = "avx2") {
+        "with AVX2"
+    } else {
+        "without AVX2"
+    };
+    println!(
+        "built for {} {features}, native lanes: {}",
+        std::env::consts::ARCH,
+        Native::WIDTH
+    );
+    let tables: Vec<Table> = MESHES
+        .iter()
+        .map(|&cells| measure(&box_scene(cells), effort))
+        .collect();
     let met = targets(&tables);
-    if given("--check") && !met { ExitCode::FAILURE } else { ExitCode::SUCCESS }
+    if given("--check") && !met {
+        ExitCode::FAILURE
+    } else {
+        ExitCode::SUCCESS
+    }
 }
 
 /// Times everything on one mesh and prints it.
@@ -67,22 +91,37 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     let elements = elements(&body, operator.stiffness);
     let mut matrix = BlockCsr::new(scene.nodes.len(), &scene.tets);
     matrix.refill(operator.inertia, &elements);
-    println!("\n{} tetrahedra, {} nodes", scene.tets.len(), scene.nodes.len());
+    println!(
+        "\n{} tetrahedra, {} nodes",
+        scene.tets.len(),
+        scene.nodes.len()
+    );
     guard::products(&body, &matrix);
     if scene.tets.len() < 10_000 {
         guard::steps(scene, &body);
     }
 
     let mut refilled = BlockCsr::new(scene.nodes.len(), &scene.tets);
-    let (mut plain, mut in_lanes) = (vec![[0.0; 3]; scene.nodes.len()], vec![[0.0; 3]; scene.nodes.len()]);
+    let (mut plain, mut in_lanes) = (
+        vec![[0.0; 3]; scene.nodes.len()],
+        vec![[0.0; 3]; scene.nodes.len()],
+    );
     let rotations_only = Baseline::new(scene, &body);
     let mut rotations = vec![Matrix3::identity(); scene.tets.len()];
     let mut all = vec![
         Kernel::new(PLAIN, 1, || matrix.product(&body.v, &mut plain)),
-        Kernel::new(IN_LANES, 1, || matrix.product_in_lanes(&body.v, &mut in_lanes)),
+        Kernel::new(IN_LANES, 1, || {
+            matrix.product_in_lanes(&body.v, &mut in_lanes)
+        }),
         Kernel::new(REFILL, 1, || refilled.refill(operator.inertia, &elements)),
         Kernel::new(SVD, 1, || rotations_only.rotations(&mut rotations)),
-        Kernel::after(BASELINE, 1, Baseline::new(scene, &body), |b| b.reset(scene), |b| b.step(5)),
+        Kernel::after(
+            BASELINE,
+            1,
+            Baseline::new(scene, &body),
+            |b| b.reset(scene),
+            |b| b.step(5),
+        ),
     ];
     all.extend(of_width::<f32>(&body, &dense));
     all.extend(of_width::<f32x4>(&body, &dense));
@@ -93,7 +132,10 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     table
 }
 
-fn of_width<'a, R: Lanes + 'a>(body: &'a Body<Factored>, dense: &'a Body<Dense>) -> Vec<Kernel<'a>> {
+fn of_width<'a, R: Lanes + 'a>(
+    body: &'a Body<Factored>,
+    dense: &'a Body<Dense>,
+) -> Vec<Kernel<'a>> {
     let mut all = kernels::<R, Factored>(body, &FACTORED);
     all.extend(kernels::<R, Dense>(dense, &DENSE));
     all.extend(polar::<R, Factored>(body));

@@ -19,7 +19,14 @@ const CELL: f32 = 0.1;
 /// six tetrahedra that walk from its low to its high corner along the axes.
 pub fn box_scene([nx, ny, nz]: [u32; 3]) -> Scene {
     // The last two of an odd walk are swapped, so that all are positively oriented.
-    const WALKS: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [1, 0, 2], [2, 1, 0]];
+    const WALKS: [[usize; 3]; 6] = [
+        [0, 1, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [0, 2, 1],
+        [1, 0, 2],
+        [2, 1, 0],
+    ];
     let index = |[i, j, k]: [u32; 3]| (i * (ny + 1) + j) * (nz + 1) + k;
     let mut random = Random(1);
     let (mut nodes, mut tets) = (Vec::new(), Vec::new());
@@ -46,8 +53,14 @@ pub fn box_scene([nx, ny, nz]: [u32; 3]) -> Scene {
         }
     }
     let length = CELL * nx as f32;
-    let x = nodes.iter().map(|&node| bent(node.into(), length)).collect();
-    let v = nodes.iter().map(|&node| moving(bent(node.into(), length).into(), &mut random)).collect();
+    let x = nodes
+        .iter()
+        .map(|&node| bent(node.into(), length))
+        .collect();
+    let v = nodes
+        .iter()
+        .map(|&node| moving(bent(node.into(), length).into(), &mut random))
+        .collect();
     Scene { nodes, tets, x, v }
 }
 
@@ -76,7 +89,10 @@ struct Random(u64);
 impl Random {
     /// Uniform in [−1, 1).
     fn signed(&mut self) -> f32 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 40) as f32 / (1_u32 << 23) as f32 - 1.0
     }
 }

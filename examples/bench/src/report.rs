@@ -18,10 +18,13 @@ impl Table {
     pub fn new(tets: usize, kernels: &[Kernel<'_>], seconds: &[f64]) -> Self {
         let mut rows: Vec<(&str, [Option<f64>; 3])> = Vec::new();
         for (kernel, &seconds) in kernels.iter().zip(seconds) {
-            let at = rows.iter().position(|(name, _)| *name == kernel.row).unwrap_or_else(|| {
-                rows.push((kernel.row, [None; 3]));
-                rows.len() - 1
-            });
+            let at = rows
+                .iter()
+                .position(|(name, _)| *name == kernel.row)
+                .unwrap_or_else(|| {
+                    rows.push((kernel.row, [None; 3]));
+                    rows.len() - 1
+                });
             let column = WIDTHS.iter().position(|&width| width == kernel.lanes);
             rows[at].1[column.expect("a known width")] = Some(seconds);
         }
@@ -32,7 +35,10 @@ impl Table {
     fn get(&self, row: &str, lanes: usize) -> f64 {
         let found = self.rows.iter().find(|(name, _)| *name == row);
         let column = WIDTHS.iter().position(|&width| width == lanes);
-        found.zip(column).and_then(|((_, times), column)| times[column]).expect("a row that was timed")
+        found
+            .zip(column)
+            .and_then(|((_, times), column)| times[column])
+            .expect("a row that was timed")
     }
 
     /// The faster of the two block-CSR products.
@@ -42,7 +48,10 @@ impl Table {
 
     pub fn print(&self) {
         let per_tet = 1e9 / self.tets as f64;
-        println!("{:38}{:>24}{:>30}", "", "ratio to CSR product", "ns a tetrahedron");
+        println!(
+            "{:38}{:>24}{:>30}",
+            "", "ratio to CSR product", "ns a tetrahedron"
+        );
         print!("{:38}", "");
         for _ in 0..2 {
             print!("{:>9}{:>9}{:>9}   ", "f32", "f32x4", "f32x8");
@@ -61,8 +70,11 @@ impl Table {
         print!("{:38}", "break-even iterations, factored");
         for width in WIDTHS {
             let lost = self.get(FACTORED.apply, width) - self.product();
-            let text =
-                if lost > 0.0 { format!("{:.0}", self.get(REFILL, 1) / lost) } else { "never".into() };
+            let text = if lost > 0.0 {
+                format!("{:.0}", self.get(REFILL, 1) / lost)
+            } else {
+                "never".into()
+            };
             print!("{text:>9}");
         }
         println!();
@@ -75,26 +87,49 @@ pub fn targets(tables: &[Table]) -> bool {
     let mut met = true;
     let mut target = |what: &str, measured: f64, good: bool| {
         met &= good;
-        println!("target: {what}; measured {measured:.2}: {}", if good { "ok" } else { "MISSED" });
+        println!(
+            "target: {what}; measured {measured:.2}: {}",
+            if good { "ok" } else { "MISSED" }
+        );
     };
-    let [_, small, middle, large] = tables else { return false };
+    let [_, small, middle, large] = tables else {
+        return false;
+    };
     let native = Native::WIDTH;
     let worst = |f: &dyn Fn(&Table) -> f64| tables.iter().map(f).fold(0.0, f64::max);
 
     if cfg!(target_feature = "avx2") {
         let apply = middle.get(FACTORED.apply, 8) / middle.product();
-        target("factored apply in 8 lanes at most 0.9 block-CSR products (25 k)", apply, apply <= 0.9);
+        target(
+            "factored apply in 8 lanes at most 0.9 block-CSR products (25 k)",
+            apply,
+            apply <= 0.9,
+        );
     } else if cfg!(target_feature = "sse2") {
         let apply = middle.get(FACTORED.apply, 4) / middle.product();
-        target("factored apply in 4 lanes at most 1.8 block-CSR products (25 k)", apply, apply <= 1.8);
+        target(
+            "factored apply in 4 lanes at most 1.8 block-CSR products (25 k)",
+            apply,
+            apply <= 1.8,
+        );
     }
     let sweeps = worst(&|t| t.get(TWO_SWEEPS, native) / t.get(FACTORED.apply, native));
-    target("two polar sweeps at most 8 applies (worst mesh)", sweeps, sweeps <= 8.0);
+    target(
+        "two polar sweeps at most 8 applies (worst mesh)",
+        sweeps,
+        sweeps <= 8.0,
+    );
     let slower = worst(&|t| t.get(FACTORED.step, native) / t.get(BASELINE, 1));
-    target("a step at least 10 times as fast as the baseline's (worst mesh)", 1.0 / slower, slower <= 0.1);
+    target(
+        "a step at least 10 times as fast as the baseline's (worst mesh)",
+        1.0 / slower,
+        slower <= 0.1,
+    );
     for (what, row) in [("apply", FACTORED.apply), ("step", FACTORED.step)] {
         let costs = [small, middle, large].map(|t| t.get(row, native) / t.tets as f64);
-        let (least, most) = costs.iter().fold((f64::MAX, 0.0_f64), |(l, m), &c| (l.min(c), m.max(c)));
+        let (least, most) = costs
+            .iter()
+            .fold((f64::MAX, 0.0_f64), |(l, m), &c| (l.min(c), m.max(c)));
         let what = format!("cost of {what} per tetrahedron flat within 1.2 from 3 k to 80 k");
         target(&what, most / least, most / least <= 1.2);
     }
