@@ -21,10 +21,10 @@
 //! which is the same matrix in 36 bytes. [`Dense`] stores the six blocks above the diagonal (rows
 //! sum to zero), 216 bytes, and carries *any* linear elastic material.
 
-use crate::lane::{
-    BLOCK, Lanes, Real, add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3,
-    transpose, zero3,
+use crate::algebra::{
+    add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose, zero3,
 };
+use crate::lane::{BLOCK, Lanes, Real};
 use crate::rest::TetBlock;
 
 /// Symmetric 3×3 matrix: xx, xy, xz, yy, yz, zz.
@@ -90,25 +90,25 @@ pub struct Bite<'a, L: Layout, R> {
 }
 
 /// x_j − x_0 for j = 1, 2, 3.
-#[inline]
+#[inline(always)]
 pub(crate) fn edges<R: Real>(x: &[[R; 3]; 4]) -> [[R; 3]; 3] {
     [sub3(&x[1], &x[0]), sub3(&x[2], &x[0]), sub3(&x[3], &x[0])]
 }
 
 /// The gradients g₁, g₂, g₃ of lanes `at..`.
-#[inline]
+#[inline(always)]
 pub(crate) fn gradients<R: Lanes>(tet: &TetBlock, at: usize) -> [[R; 3]; 3] {
     core::array::from_fn(|j| core::array::from_fn(|a| R::load(&tet.gradients[j][a], at)))
 }
 
 /// F = Σ_j (x_j − x_0) g_jᵀ
-#[inline]
+#[inline(always)]
 pub(crate) fn deformation<R: Real>(edges: &[[R; 3]; 3], g: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     mul_mat(&transpose(edges), g)
 }
 
 /// ε = sym(B) − I with B = QᵀF
-#[inline]
+#[inline(always)]
 fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     let (one, half) = (R::splat(1.0), R::splat(0.5));
     let (xy, xz, yz) = (
@@ -124,7 +124,7 @@ fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 }
 
 /// The fourth corner balances the other three.
-#[inline]
+#[inline(always)]
 fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
     [neg3(&add3(&add3(&f[0], &f[1]), &f[2])), f[0], f[1], f[2]]
 }
@@ -139,7 +139,7 @@ pub enum Factored {}
 pub struct RotatedGradients([[[f32; BLOCK]; 3]; 3]);
 
 impl RotatedGradients {
-    #[inline]
+    #[inline(always)]
     fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
         core::array::from_fn(|j| core::array::from_fn(|a| R::load(&self.0[j][a], at)))
     }
@@ -153,7 +153,7 @@ impl Layout for Factored {
 
     fn isotropic(_: &TetBlock) {}
 
-    #[inline]
+    #[inline(always)]
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
@@ -179,7 +179,7 @@ impl Layout for Factored {
         balanced(g.map(|g| neg3(&mul_vec(&q_stress, &g)))) // f = −V Q σ g
     }
 
-    #[inline]
+    #[inline(always)]
     fn product<R: Lanes>(
         tet: &TetBlock,
         rotated: &Self::Rotated,
@@ -205,7 +205,7 @@ impl Layout for Factored {
         balanced(g.map(|g| mul_vec(&s, &g))) // (K u)_i = S G_i
     }
 
-    #[inline]
+    #[inline(always)]
     fn diagonal<R: Lanes>(
         tet: &TetBlock,
         rotated: &Self::Rotated,
@@ -260,14 +260,14 @@ pub struct DenseBlocks(pub [[[[f32; BLOCK]; 3]; 3]; 6]);
 impl DenseBlocks {
     const ZERO: Self = Self([[[[0.0; BLOCK]; 3]; 3]; 6]);
 
-    #[inline]
+    #[inline(always)]
     fn load<R: Lanes>(&self, pair: usize, at: usize) -> [[R; 3]; 3] {
         core::array::from_fn(|i| core::array::from_fn(|j| R::load(&self.0[pair][i][j], at)))
     }
 }
 
 /// K u by the off-diagonal blocks alone: f_i += K_ij (u_j − u_i), f_j −= K_ijᵀ (u_j − u_i).
-#[inline]
+#[inline(always)]
 fn pairwise<R: Real>(u: &[[R; 3]; 4], mut block: impl FnMut(usize) -> [[R; 3]; 3]) -> [[R; 3]; 4] {
     let mut f = [zero3::<R>(); 4];
     for (pair, &(i, j)) in PAIRS.iter().enumerate() {
@@ -303,7 +303,7 @@ impl Layout for Dense {
         out
     }
 
-    #[inline]
+    #[inline(always)]
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
@@ -326,7 +326,7 @@ impl Layout for Dense {
         pairwise(&d, |pair| bite.stiffness.load(pair, bite.at)).map(|f| neg3(&mul_vec(q, &f)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn product<R: Lanes>(
         _: &TetBlock,
         rotated: &Self::Rotated,
@@ -337,7 +337,7 @@ impl Layout for Dense {
         pairwise(u, |pair| rotated.load(pair, at)).map(|f| scale3(&f, scale))
     }
 
-    #[inline]
+    #[inline(always)]
     fn diagonal<R: Lanes>(
         _: &TetBlock,
         rotated: &Self::Rotated,
@@ -374,7 +374,7 @@ impl Layout for Dense {
 }
 
 /// Qᵀ(x − x_0) − (X − X_0) at the four corners.
-#[inline]
+#[inline(always)]
 fn displacement<L: Layout, R: Real>(bite: &Bite<'_, L, R>, q: &[[R; 3]; 3]) -> [[R; 3]; 4] {
     let d = |j: usize| sub3(&mul_transposed_vec(q, &bite.edges[j]), &bite.rest_edges[j]);
     [zero3(), d(0), d(1), d(2)]

@@ -4,8 +4,6 @@
 //! width. A kernel takes a block in 8/WIDTH bites. Every operation is element-wise IEEE, and
 //! [`Lanes::scatter_add`] adds tetrahedron by tetrahedron, corner by corner, in the order of the
 //! mesh: all widths give the same bits.
-//!
-//! Small vectors and matrices of lanes are plain arrays: `[R; 3]`, and `[[R; 3]; 3]` by rows.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -77,85 +75,29 @@ pub trait Lanes: Real {
     fn store(self, block: &mut [f32; BLOCK], at: usize);
     /// Node vectors at the four corners: `[corner][axis]`.
     fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4];
-    /// Adds `values[corner][axis]` to the node vectors, tetrahedron by tetrahedron.
-    fn scatter_add<const N: usize>(
-        values: &[[Self; N]; 4],
-        vectors: &mut [[f32; N]],
+    /// Adds `values[corner]` to the node vectors, tetrahedron by tetrahedron, corner by corner.
+    fn scatter_add(
+        values: &[[Self; 3]; 4],
+        vectors: &mut [[f32; 3]],
         corners: &[[u32; BLOCK]; 4],
         at: usize,
     );
 }
 
-/// Rows of zeros.
-#[inline]
-#[must_use]
-pub fn zero3<R: Real>() -> [R; 3] {
-    [R::splat(0.0); 3]
-}
-
-#[inline]
-pub(crate) fn dot3<R: Real>(a: &[R; 3], b: &[R; 3]) -> R {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline]
-pub(crate) fn add3<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-#[inline]
-pub(crate) fn sub3<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline]
-pub(crate) fn scale3<R: Real>(a: &[R; 3], s: R) -> [R; 3] {
-    [a[0] * s, a[1] * s, a[2] * s]
-}
-
-#[inline]
-pub(crate) fn neg3<R: Real>(a: &[R; 3]) -> [R; 3] {
-    [-a[0], -a[1], -a[2]]
-}
-
-/// `m v`
-#[inline]
-pub(crate) fn mul_vec<R: Real>(m: &[[R; 3]; 3], v: &[R; 3]) -> [R; 3] {
-    [dot3(&m[0], v), dot3(&m[1], v), dot3(&m[2], v)]
-}
-
-/// `mᵀ v`
-#[inline]
-pub(crate) fn mul_transposed_vec<R: Real>(m: &[[R; 3]; 3], v: &[R; 3]) -> [R; 3] {
-    mul_vec(&transpose(m), v)
-}
-
-#[inline]
-pub(crate) fn transpose<R: Real>(m: &[[R; 3]; 3]) -> [[R; 3]; 3] {
-    core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
-}
-
-/// `a b`
-#[inline]
-pub(crate) fn mul_mat<R: Real>(a: &[[R; 3]; 3], b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
-    let columns = transpose(b);
-    core::array::from_fn(|i| core::array::from_fn(|j| dot3(&a[i], &columns[j])))
-}
-
 impl Real for f32 {
-    #[inline]
+    #[inline(always)]
     fn splat(x: f32) -> Self {
         x
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         math::sqrt(self)
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         f32::abs(self)
     }
-    #[inline]
+    #[inline(always)]
     fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
         math::select(self < bound, yes, no)
     }
@@ -163,19 +105,19 @@ impl Real for f32 {
 
 /// For energies and other diagnostics, which are not part of a step.
 impl Real for f64 {
-    #[inline]
+    #[inline(always)]
     fn splat(x: f32) -> Self {
         f64::from(x)
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         libm::sqrt(self)
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         f64::abs(self)
     }
-    #[inline]
+    #[inline(always)]
     fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
         if self < bound { yes } else { no }
     }
@@ -183,65 +125,151 @@ impl Real for f64 {
 
 // Node numbers were checked when the rest data was filled; `get` only keeps panics out of the
 // binary, and is as fast as indexing.
-#[inline]
+#[inline(always)]
 fn node(vectors: &[[f32; 3]], index: u32) -> [f32; 3] {
     vectors.get(index as usize).copied().unwrap_or([0.0; 3])
 }
 
 impl Lanes for f32 {
     const WIDTH: usize = 1;
-    #[inline]
+    #[inline(always)]
     fn load(block: &[f32; BLOCK], at: usize) -> Self {
         block[at % BLOCK]
     }
-    #[inline]
+    #[inline(always)]
     fn store(self, block: &mut [f32; BLOCK], at: usize) {
         block[at % BLOCK] = self;
     }
-    #[inline]
+    #[inline(always)]
     fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4] {
         core::array::from_fn(|c| node(vectors, corners[c][at % BLOCK]))
     }
-    #[inline]
-    fn scatter_add<const N: usize>(
-        values: &[[Self; N]; 4],
-        vectors: &mut [[f32; N]],
+    #[inline(always)]
+    fn scatter_add(
+        values: &[[Self; 3]; 4],
+        vectors: &mut [[f32; 3]],
         corners: &[[u32; BLOCK]; 4],
         at: usize,
     ) {
         for (value, corner) in values.iter().zip(corners) {
-            if let Some(sum) = vectors.get_mut(corner[at % BLOCK] as usize) {
-                for axis in 0..N {
-                    sum[axis] += value[axis];
-                }
-            }
+            add(vectors, corner[at % BLOCK], *value);
         }
     }
 }
 
+#[inline(always)]
+fn add(vectors: &mut [[f32; 3]], index: u32, [x, y, z]: [f32; 3]) {
+    if let Some(sum) = vectors.get_mut(index as usize) {
+        sum[0] += x;
+        sum[1] += y;
+        sum[2] += z;
+    }
+}
+
+/// A node vector and the first number of the next one.
+#[inline(always)]
+fn four(vectors: &[[f32; 3]], index: u32) -> Option<&[f32; 4]> {
+    let n = index as usize;
+    vectors.get(n..n + 2)?.as_flattened().first_chunk()
+}
+
 /// Four node vectors, turned to `[axis]` of four lanes.
-#[inline]
-fn gather4(vectors: &[[f32; 3]], nodes: [u32; 4]) -> [f32x4; 3] {
-    let rows = nodes.map(|n| {
-        let [x, y, z] = node(vectors, n);
-        f32x4::new([x, y, z, 0.0])
-    });
+#[inline(always)]
+fn gather4(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [f32x4; 3] {
+    let &[a, b, c, d] = nodes;
+    let (Some(a), Some(b), Some(c), Some(d)) = (
+        four(vectors, a),
+        four(vectors, b),
+        four(vectors, c),
+        four(vectors, d),
+    ) else {
+        return gather_last(vectors, nodes).map(f32x4::new);
+    };
+    let rows = [
+        f32x4::new(*a),
+        f32x4::new(*b),
+        f32x4::new(*c),
+        f32x4::new(*d),
+    ];
     let [x, y, z, _] = f32x4::transpose(rows);
     [x, y, z]
 }
 
-#[inline]
-fn half<T: Copy>(block: &[T; BLOCK], at: usize) -> [T; 4] {
-    let &[a, b, c, d, e, f, g, h] = block;
-    if at < 4 { [a, b, c, d] } else { [e, f, g, h] }
+/// Where one of them is the last of all.
+#[cold]
+#[inline(never)]
+fn gather_last(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [[f32; 4]; 3] {
+    let rows = nodes.map(|n| node(vectors, n));
+    core::array::from_fn(|axis| rows.map(|row| row[axis]))
+}
+
+/// Adds one row a corner.
+#[inline(always)]
+fn add_rows(vectors: &mut [[f32; 3]], nodes: [u32; 4], rows: [f32x4; 4]) {
+    for (node, row) in nodes.into_iter().zip(rows) {
+        let [x, y, z, _] = row.to_array();
+        add(vectors, node, [x, y, z]);
+    }
+}
+
+/// Turns the values of four tetrahedra back to rows, so that a node's components are added side by
+/// side. Written out: loops over lanes would go through memory.
+#[inline(always)]
+fn scatter4(values: [[f32x4; 3]; 4], vectors: &mut [[f32; 3]], [i, j, k, l]: [&[u32; 4]; 4]) {
+    let turned = |[x, y, z]: [f32x4; 3]| f32x4::transpose([x, y, z, f32x4::ZERO]);
+    let [a, b, c, d] = values;
+    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (turned(a), turned(b));
+    let ([c0, c1, c2, c3], [d0, d1, d2, d3]) = (turned(c), turned(d));
+    add_rows(vectors, [i[0], j[0], k[0], l[0]], [a0, b0, c0, d0]);
+    add_rows(vectors, [i[1], j[1], k[1], l[1]], [a1, b1, c1, d1]);
+    add_rows(vectors, [i[2], j[2], k[2], l[2]], [a2, b2, c2, d2]);
+    add_rows(vectors, [i[3], j[3], k[3], l[3]], [a3, b3, c3, d3]);
+}
+
+/// Four of a block's eight.
+#[inline(always)]
+fn half<T>(block: &[T; BLOCK], at: usize) -> &[T; 4] {
+    let (halves, _) = block.as_chunks::<4>();
+    &halves[at / 4 % 2]
+}
+
+#[inline(always)]
+fn halves(corners: &[[u32; BLOCK]; 4], at: usize) -> [&[u32; 4]; 4] {
+    let [a, b, c, d] = corners;
+    [half(a, at), half(b, at), half(c, at), half(d, at)]
+}
+
+#[inline(always)]
+fn gather8(vectors: &[[f32; 3]], nodes: &[u32; BLOCK]) -> [f32x8; 3] {
+    let [x, y, z] = gather4(vectors, half(nodes, 0));
+    let [u, v, w] = gather4(vectors, half(nodes, 4));
+    [join(x, u), join(y, v), join(z, w)]
+}
+
+#[inline(always)]
+fn join(low: f32x4, high: f32x4) -> f32x8 {
+    let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
+    f32x8::new([a, b, c, d, e, f, g, h])
+}
+
+#[inline(always)]
+fn low([x, y, z]: [f32x8; 3]) -> [f32x4; 3] {
+    let low = |x: f32x8| f32x4::new(*half(x.as_array(), 0));
+    [low(x), low(y), low(z)]
+}
+
+#[inline(always)]
+fn high([x, y, z]: [f32x8; 3]) -> [f32x4; 3] {
+    let high = |x: f32x8| f32x4::new(*half(x.as_array(), 4));
+    [high(x), high(y), high(z)]
 }
 
 impl Real for f32x4 {
-    #[inline]
+    #[inline(always)]
     fn splat(x: f32) -> Self {
         f32x4::splat(x)
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         // Where `wide` has no hardware square root it would take a slow one of its own.
         cfg_select! {
@@ -249,11 +277,11 @@ impl Real for f32x4 {
             _ => { f32x4::new(self.to_array().map(math::sqrt)) }
         }
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         self.abs()
     }
-    #[inline]
+    #[inline(always)]
     fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
         self.simd_lt(bound).select(yes, no)
     }
@@ -261,53 +289,54 @@ impl Real for f32x4 {
 
 impl Lanes for f32x4 {
     const WIDTH: usize = 4;
-    #[inline]
+    #[inline(always)]
     fn load(block: &[f32; BLOCK], at: usize) -> Self {
-        f32x4::new(half(block, at))
+        f32x4::new(*half(block, at))
     }
-    #[inline]
+    #[inline(always)]
     fn store(self, block: &mut [f32; BLOCK], at: usize) {
         let (low, high) = block.split_at_mut(4);
         let side = if at < 4 { low } else { high };
         side.copy_from_slice(self.as_array());
     }
-    #[inline]
+    #[inline(always)]
     fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4] {
-        core::array::from_fn(|c| gather4(vectors, half(&corners[c], at)))
+        let [a, b, c, d] = halves(corners, at);
+        [
+            gather4(vectors, a),
+            gather4(vectors, b),
+            gather4(vectors, c),
+            gather4(vectors, d),
+        ]
     }
-    #[inline]
-    fn scatter_add<const N: usize>(
-        values: &[[Self; N]; 4],
-        vectors: &mut [[f32; N]],
+    #[inline(always)]
+    fn scatter_add(
+        values: &[[Self; 3]; 4],
+        vectors: &mut [[f32; 3]],
         corners: &[[u32; BLOCK]; 4],
         at: usize,
     ) {
-        scatter_arrays(
-            &values.map(|v| v.map(f32x4::to_array)),
-            vectors,
-            corners,
-            at,
-        );
+        scatter4(*values, vectors, halves(corners, at));
     }
 }
 
 impl Real for f32x8 {
-    #[inline]
+    #[inline(always)]
     fn splat(x: f32) -> Self {
         f32x8::splat(x)
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(self) -> Self {
         cfg_select! {
             any(target_feature = "sse2", target_feature = "simd128", target_arch = "aarch64") => { self.sqrt() }
             _ => { f32x8::new(self.to_array().map(math::sqrt)) }
         }
     }
-    #[inline]
+    #[inline(always)]
     fn abs(self) -> Self {
         self.abs()
     }
-    #[inline]
+    #[inline(always)]
     fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
         self.simd_lt(bound).select(yes, no)
     }
@@ -315,58 +344,41 @@ impl Real for f32x8 {
 
 impl Lanes for f32x8 {
     const WIDTH: usize = 8;
-    #[inline]
+    #[inline(always)]
     fn load(block: &[f32; BLOCK], _at: usize) -> Self {
         f32x8::new(*block)
     }
-    #[inline]
+    #[inline(always)]
     fn store(self, block: &mut [f32; BLOCK], _at: usize) {
         *block = self.to_array();
     }
-    #[inline]
+    #[inline(always)]
     fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], _at: usize) -> [[Self; 3]; 4] {
-        core::array::from_fn(|c| {
-            let low = gather4(vectors, half(&corners[c], 0));
-            let high = gather4(vectors, half(&corners[c], 4));
-            core::array::from_fn(|axis| join(low[axis], high[axis]))
-        })
+        let [a, b, c, d] = corners;
+        [
+            gather8(vectors, a),
+            gather8(vectors, b),
+            gather8(vectors, c),
+            gather8(vectors, d),
+        ]
     }
-    #[inline]
-    fn scatter_add<const N: usize>(
-        values: &[[Self; N]; 4],
-        vectors: &mut [[f32; N]],
+    #[inline(always)]
+    fn scatter_add(
+        values: &[[Self; 3]; 4],
+        vectors: &mut [[f32; 3]],
         corners: &[[u32; BLOCK]; 4],
-        at: usize,
+        _at: usize,
     ) {
-        scatter_arrays(
-            &values.map(|v| v.map(f32x8::to_array)),
+        let [a, b, c, d] = *values;
+        scatter4(
+            [low(a), low(b), low(c), low(d)],
             vectors,
-            corners,
-            at,
+            halves(corners, 0),
         );
-    }
-}
-
-#[inline]
-fn join(low: f32x4, high: f32x4) -> f32x8 {
-    let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
-    f32x8::new([a, b, c, d, e, f, g, h])
-}
-
-#[inline]
-fn scatter_arrays<const N: usize, const W: usize>(
-    values: &[[[f32; W]; N]; 4],
-    vectors: &mut [[f32; N]],
-    corners: &[[u32; BLOCK]; 4],
-    at: usize,
-) {
-    for lane in 0..W {
-        for (value, corner) in values.iter().zip(corners) {
-            if let Some(sum) = vectors.get_mut(corner[(at + lane) % BLOCK] as usize) {
-                for axis in 0..N {
-                    sum[axis] += value[axis][lane];
-                }
-            }
-        }
+        scatter4(
+            [high(a), high(b), high(c), high(d)],
+            vectors,
+            halves(corners, 4),
+        );
     }
 }

@@ -89,6 +89,7 @@ extern crate alloc;
 
 pub use glam;
 
+mod algebra;
 pub mod body;
 mod cg;
 pub mod collider;

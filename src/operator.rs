@@ -18,12 +18,12 @@ impl RotationBlock {
     /// Before a body is placed. All bits zero.
     pub const ZERO: Self = Self([[0.0; BLOCK]; 4]);
 
-    #[inline]
+    #[inline(always)]
     fn load<R: Lanes>(&self, at: usize) -> Quaternion<R> {
         core::array::from_fn(|c| R::load(&self.0[c], at))
     }
 
-    #[inline]
+    #[inline(always)]
     fn store<R: Lanes>(&mut self, q: Quaternion<R>, at: usize) {
         for (component, out) in q.iter().zip(&mut self.0) {
             component.store(out, at);
@@ -80,12 +80,19 @@ impl<L: Layout> Operator<'_, L> {
         for (out, &m) in out.iter_mut().zip(self.inertia) {
             *out = [m, 0.0, 0.0, m, 0.0, m];
         }
+        // A symmetric block is two rows of three numbers.
+        let (rows, _) = out.as_flattened_mut().as_chunks_mut();
         let scale = R::splat(self.stiffness);
         for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
+            let first = tet
+                .corners
+                .map(|corner| corner.map(|node| node.wrapping_mul(2)));
+            let second = first.map(|corner| corner.map(|row| row | 1));
             let mut at = 0;
             while at < BLOCK {
                 let blocks = L::diagonal(tet, rotated, at, scale);
-                R::scatter_add(&blocks, out, &tet.corners, at);
+                R::scatter_add(&blocks.map(|[a, b, c, ..]| [a, b, c]), rows, &first, at);
+                R::scatter_add(&blocks.map(|[.., d, e, f]| [d, e, f]), rows, &second, at);
                 at += R::WIDTH;
             }
         }

@@ -19,20 +19,21 @@
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
 //! storage, scaling, and the cold start's escape from saddles are ours.
 
-use crate::lane::{Real, mul_mat, transpose};
+use crate::algebra::{mul_mat, transpose};
+use crate::lane::Real;
 
 /// A unit quaternion, scalar first: (w, x, y, z).
 pub type Quaternion<R> = [R; 4];
 
 /// No rotation.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn identity<R: Real>() -> Quaternion<R> {
     [R::splat(1.0), R::splat(0.0), R::splat(0.0), R::splat(0.0)]
 }
 
 /// The rotation matrix of a unit quaternion.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn matrix<R: Real>(q: &Quaternion<R>) -> [[R; 3]; 3] {
     let &[w, x, y, z] = q;
@@ -49,7 +50,7 @@ pub fn matrix<R: Real>(q: &Quaternion<R>) -> [[R; 3]; 3] {
 }
 
 /// QᵀF.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn unrotated<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     mul_mat(&transpose(&matrix(q)), f)
@@ -57,7 +58,7 @@ pub fn unrotated<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// F brought to size one, so that squares neither overflow nor vanish: its polar rotation is the
 /// same. A zero or overflowing F becomes zero, and keeps any rotation that it is given.
-#[inline]
+#[inline(always)]
 fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     // Sixteenths: the sum of nine magnitudes up to f32::MAX stays finite.
     let sixteenth = R::splat(0.0625);
@@ -73,7 +74,7 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// Improves `q` by `sweeps` sweeps towards the nearest rotation of `f`; never lowers tr(QᵀF)
 /// beyond rounding. The cost depends on `sweeps` alone.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quaternion<R> {
     let mut q = *q;
@@ -89,7 +90,7 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
 }
 
 /// The rotation of one pair; `AXIS` is the quaternion component of the plane's normal.
-#[inline]
+#[inline(always)]
 fn rotate_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
     q: &mut Quaternion<R>,
     b: &mut [[R; 3]; 3],
@@ -107,7 +108,7 @@ fn rotate_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
 }
 
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
-#[inline]
+#[inline(always)]
 fn direction<R: Real>(a: R, d: R) -> (R, R) {
     let (zero, one, tiny) = (R::splat(0.0), R::splat(1.0), R::splat(1e-30));
     let square = a * a + d * d;
@@ -120,7 +121,7 @@ fn direction<R: Real>(a: R, d: R) -> (R, R) {
 
 /// A vector along (cos φ/2, sin φ/2), of length between √2 and 2. The two forms of the half-angle
 /// formula are each exact on one half of the circle.
-#[inline]
+#[inline(always)]
 fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
     (
@@ -130,7 +131,7 @@ fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
 }
 
 /// q (w, s e_AXIS): a turn about a base axis.
-#[inline]
+#[inline(always)]
 fn turned<R: Real, const AXIS: usize>(q: &Quaternion<R>, w: R, s: R) -> Quaternion<R> {
     let &[a, x, y, z] = q;
     match AXIS {
@@ -141,7 +142,7 @@ fn turned<R: Real, const AXIS: usize>(q: &Quaternion<R>, w: R, s: R) -> Quaterni
 }
 
 /// Hamilton product.
-#[inline]
+#[inline(always)]
 fn product<R: Real>(p: &Quaternion<R>, q: &Quaternion<R>) -> Quaternion<R> {
     let (&[a, b, c, d], &[w, x, y, z]) = (p, q);
     [
@@ -152,7 +153,7 @@ fn product<R: Real>(p: &Quaternion<R>, q: &Quaternion<R>) -> Quaternion<R> {
     ]
 }
 
-#[inline]
+#[inline(always)]
 fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
     let [w, x, y, z] = *q;
     let inverse = R::splat(1.0) / (w * w + x * x + y * y + z * z).sqrt();

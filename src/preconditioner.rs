@@ -52,7 +52,7 @@ impl Preconditioner {
 #[inline]
 fn sandwich(p: &Sym3<f32>, b: &Sym3<f32>) -> Sym3<f32> {
     let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
-    let m = crate::lane::mul_mat(&crate::lane::mul_mat(&full(p), &full(b)), &full(p));
+    let m = crate::algebra::mul_mat(&crate::algebra::mul_mat(&full(p), &full(b)), &full(p));
     [m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]]
 }
 
@@ -90,7 +90,7 @@ mod tests {
         let a = [4.0, 1.0, -0.5, 3.0, 0.25, 2.0];
         let b = inverse(&a);
         let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
-        let product = crate::lane::mul_mat(&full(&a), &full(&b));
+        let product = crate::algebra::mul_mat(&full(&a), &full(&b));
         for (i, row) in product.iter().enumerate() {
             for (j, x) in row.iter().enumerate() {
                 // A dozen roundings of numbers of order one.

@@ -9,7 +9,7 @@ use crate::rest::Rest;
 use crate::scene::Scene;
 use crate::settings::Start;
 use crate::step::Units;
-use crate::vector::{add_scaled, dot, momentum, sym_mul};
+use crate::vector::{add_scaled, advance, dot, momentum, sym_mul};
 
 /// The three translations of a free body: A t = c_M M t exactly, so they need no storage.
 #[derive(Clone, Copy, Debug)]
@@ -126,8 +126,7 @@ impl Space<'_> {
         }
         for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
             let c = dot(w, r);
-            add_scaled(v, c, w);
-            add_scaled(r, -c, aw);
+            advance(v, r, c, w, aw);
         }
     }
 
@@ -147,8 +146,7 @@ impl Space<'_> {
         }
         let tau = ratio_or_zero(dot(g, r), dot(g, ag), 0.0);
         let tau = select(tau > 0.0, select(tau < 1.0, tau, 1.0), 0.0);
-        add_scaled(v, tau, g);
-        add_scaled(r, -tau, ag);
+        advance(v, r, tau, g, ag);
     }
 
     /// Makes `z` A-orthogonal to W.

@@ -30,6 +30,38 @@ pub fn dot(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
     fold(sums)
 }
 
+/// (a · b, b · c) in one pass
+#[inline]
+#[must_use]
+pub fn dot_pair(a: &[[f32; 3]], b: &[[f32; 3]], c: &[[f32; 3]]) -> (f32, f32) {
+    let (a, a_rest) = a.as_flattened().as_chunks::<SUMS>();
+    let (b, b_rest) = b.as_flattened().as_chunks::<SUMS>();
+    let (c, c_rest) = c.as_flattened().as_chunks::<SUMS>();
+    let (mut ab, mut bc) = ([0.0; SUMS], [0.0; SUMS]);
+    for ((a, b), c) in a.iter().zip(b).zip(c) {
+        for k in 0..SUMS {
+            ab[k] += a[k] * b[k];
+            bc[k] += b[k] * c[k];
+        }
+    }
+    let rest = a_rest.iter().zip(b_rest).zip(c_rest);
+    for ((ab, bc), ((a, b), c)) in ab.iter_mut().zip(&mut bc).zip(rest) {
+        *ab += a * b;
+        *bc += b * c;
+    }
+    (fold(ab), fold(bc))
+}
+
+/// v += a p and r −= a q in one pass
+#[inline]
+pub fn advance(v: &mut [[f32; 3]], r: &mut [[f32; 3]], a: f32, p: &[[f32; 3]], q: &[[f32; 3]]) {
+    let out = v.as_flattened_mut().iter_mut().zip(r.as_flattened_mut());
+    for ((v, r), (p, q)) in out.zip(p.as_flattened().iter().zip(q.as_flattened())) {
+        *v += a * p;
+        *r -= a * q;
+    }
+}
+
 /// y += a x
 #[inline]
 pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {
