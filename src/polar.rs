@@ -77,7 +77,8 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 #[inline(always)]
 #[must_use]
 pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quaternion<R> {
-    let mut q = *q;
+    let start = *q;
+    let mut q = start;
     let mut b = unrotated(&q, &normalised(f));
     for _ in 0..sweeps {
         // Plane (p, r), its axis p × r, and the sign that makes the axis a base vector.
@@ -86,7 +87,19 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
         rotate_pair::<R, 1, 2, 1>(&mut q, &mut b, R::splat(1.0));
         q = unit(&q);
     }
-    q
+    usable(&q, &start)
+}
+
+/// `q` if it is a unit quaternion, else `fallback`: an infinite F leaves the rotation as it was.
+#[inline(always)]
+fn usable<R: Real>(q: &Quaternion<R>, fallback: &Quaternion<R>) -> Quaternion<R> {
+    let off = (square(q) - R::splat(1.0)).abs();
+    core::array::from_fn(|k| off.where_below(R::splat(0.5), q[k], fallback[k]))
+}
+
+#[inline(always)]
+fn square<R: Real>(&[w, x, y, z]: &Quaternion<R>) -> R {
+    w * w + x * x + y * y + z * z
 }
 
 /// The rotation of one pair; `AXIS` is the quaternion component of the plane's normal.
@@ -155,34 +168,43 @@ fn product<R: Real>(p: &Quaternion<R>, q: &Quaternion<R>) -> Quaternion<R> {
 
 #[inline(always)]
 fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
-    let [w, x, y, z] = *q;
-    let inverse = R::splat(1.0) / (w * w + x * x + y * y + z * z).sqrt();
+    let inverse = R::splat(1.0) / square(q).sqrt();
     q.map(|component| component * inverse)
 }
 
-/// Sweeps between the escapes of a cold start, and in all three rounds together: nearly flat and
-/// inverted elements gain a factor 4 to 10 a sweep, well-shaped ones square their error.
-const COLD_SWEEPS: u32 = 10;
+/// Rounds of a cold start, and sweeps before, between and after them.
+const ROUNDS: u32 = 4;
+const COLD_SWEEPS: u32 = 4;
 
-/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost (about 30
-/// sweeps). Any finite `f`; where the nearest rotation is not unique, one of them.
+/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost (about 20 sweeps
+/// and four symmetric eigenvalue problems). Any `f`; where the nearest rotation is not unique, one of
+/// them; the identity where `f` is not finite.
 ///
 /// Sweeps can stop at a saddle: a symmetric B = QᵀF two of whose eigenvalues have a negative sum.
-/// Turning by 180° about the third eigenvector flips both and raises tr(QᵀF) by −2 times the sum,
-/// so after each round the eigenvectors of sym(B) are found and such a pair is flipped.
+/// Turning by 180° about the third eigenvector flips both and raises tr(QᵀF) by −2 times the sum. And
+/// sweeps are slow where two eigenvalues nearly cancel, unless the pairs lie along eigenvectors. So each
+/// round finds the eigenvectors V of sym(B), flips such a pair, and goes on with F V in place of F.
 #[must_use]
 pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
-    let f = normalised(f);
-    let mut q = identity();
-    for _ in 0..2 {
+    let mut f = normalised(f);
+    let (mut q, mut basis) = (identity(), identity());
+    for _ in 0..ROUNDS {
         q = sweeps(&q, &f, COLD_SWEEPS);
-        q = unit(&product(&q, &escape(&unrotated(&q, &f))));
+        let (v, turn) = escape(&unrotated(&q, &f));
+        f = mul_mat(&f, &matrix(&v));
+        q = unit(&product(&product(&q, &turn), &v));
+        basis = unit(&product(&basis, &v));
     }
-    sweeps(&q, &f, COLD_SWEEPS)
+    let [w, x, y, z] = basis;
+    usable(
+        &unit(&product(&sweeps(&q, &f, COLD_SWEEPS), &[w, -x, -y, -z])),
+        &identity(),
+    )
 }
 
-/// The half turn that leaves a saddle, or the identity where B is none.
-fn escape<R: Real>(b: &[[R; 3]; 3]) -> Quaternion<R> {
+/// The eigenvectors V of sym(B) as a rotation, and the half turn that leaves a saddle (the identity
+/// where B is none).
+fn escape<R: Real>(b: &[[R; 3]; 3]) -> (Quaternion<R>, Quaternion<R>) {
     let half = R::splat(0.5);
     let mut s: [[R; 3]; 3] =
         core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
@@ -206,7 +228,7 @@ fn escape<R: Real>(b: &[[R; 3]; 3]) -> Quaternion<R> {
         }
         least = sum.where_below(least, sum, least);
     }
-    turn
+    (v, turn)
 }
 
 /// One rotation of the symmetric Jacobi eigenvalue method: S ← RᵀSR with S_pr = 0 after.
