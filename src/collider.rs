@@ -59,6 +59,9 @@ impl Collider {
     /// # Errors
     /// [`ColliderError::Normal`], [`ColliderError::Place`].
     pub fn half_space(normal: Vec3, offset: f32) -> Result<Self, ColliderError> {
+        // By the largest component first, so that squares stay in range.
+        let largest = normal.abs().max_element();
+        let normal = normal / if largest > 0.0 { largest } else { 1.0 };
         let length = sqrt(normal.dot(normal));
         if !(length.is_normal() && normal.is_finite()) {
             return Err(ColliderError::Normal);
@@ -146,8 +149,8 @@ impl Collider {
             Shape::Sphere { centre, radius } => {
                 let from = x - centre;
                 let length = sqrt(from.dot(from));
-                // At the very centre any direction leads out.
-                let inside = length < f32::MIN_POSITIVE;
+                // At the centre any direction leads out; so near to it that squares vanish, too.
+                let inside = length < 1e-18;
                 let scale = 1.0 / select(inside, 1.0, length);
                 let normal = Vec3::new(
                     from.x * scale,

@@ -14,10 +14,10 @@
 //! identity is taken.
 //!
 //! Q is kept as a unit quaternion and renormalised once a sweep, so it cannot drift. A warm start
-//! comes from the last step; [`nearest_rotation`] starts cold and cannot be caught by a saddle.
+//! comes from the last step; [`nearest_rotation`] starts cold.
 //!
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
-//! storage, scaling, and the cold start's escape from saddles are ours.
+//! storage and scaling are ours.
 
 use crate::algebra::{mul_mat, transpose};
 use crate::lane::Real;
@@ -154,103 +154,56 @@ fn turned<R: Real, const AXIS: usize>(q: &Quaternion<R>, w: R, s: R) -> Quaterni
     }
 }
 
-/// Hamilton product.
-#[inline(always)]
-fn product<R: Real>(p: &Quaternion<R>, q: &Quaternion<R>) -> Quaternion<R> {
-    let (&[a, b, c, d], &[w, x, y, z]) = (p, q);
-    [
-        a * w - b * x - c * y - d * z,
-        a * x + b * w + c * z - d * y,
-        a * y - b * z + c * w + d * x,
-        a * z + b * y - c * x + d * w,
-    ]
-}
-
 #[inline(always)]
 fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
     let inverse = R::splat(1.0) / square(q).sqrt();
     q.map(|component| component * inverse)
 }
 
-/// Rounds of a cold start, and sweeps before, between and after them.
-const ROUNDS: u32 = 4;
-const COLD_SWEEPS: u32 = 4;
-
-/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost (about 20 sweeps
-/// and four symmetric eigenvalue problems). Any `f`; where the nearest rotation is not unique, one of
-/// them; the identity where `f` is not finite.
+/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost. Any `f`; where
+/// the nearest rotation is not unique, one of them; the identity where `f` is not finite.
 ///
-/// Sweeps can stop at a saddle: a symmetric B = QᵀF two of whose eigenvalues have a negative sum.
-/// Turning by 180° about the third eigenvector flips both and raises tr(QᵀF) by −2 times the sum. And
-/// sweeps are slow where two eigenvalues nearly cancel, unless the pairs lie along eigenvectors. So each
-/// round finds the eigenvectors V of sym(B), flips such a pair, and goes on with F V in place of F.
+/// Sweeps can stop at a saddle, so this goes another way (Horn 1987): tr(QᵀF) = qᵀNq for the unit
+/// quaternion q of Q, and the greatest is at N's greatest eigenvector, found by Jacobi's method for
+/// symmetric matrices. Two sweeps polish what the eigenvector's rounding leaves.
 #[must_use]
 pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
-    let mut f = normalised(f);
-    let (mut q, mut basis) = (identity(), identity());
-    for _ in 0..ROUNDS {
-        q = sweeps(&q, &f, COLD_SWEEPS);
-        let (v, turn) = escape(&unrotated(&q, &f));
-        f = mul_mat(&f, &matrix(&v));
-        q = unit(&product(&product(&q, &turn), &v));
-        basis = unit(&product(&basis, &v));
-    }
-    let [w, x, y, z] = basis;
-    usable(
-        &unit(&product(&sweeps(&q, &f, COLD_SWEEPS), &[w, -x, -y, -z])),
-        &identity(),
-    )
-}
-
-/// The eigenvectors V of sym(B) as a rotation, and the half turn that leaves a saddle (the identity
-/// where B is none).
-fn escape<R: Real>(b: &[[R; 3]; 3]) -> (Quaternion<R>, Quaternion<R>) {
-    let half = R::splat(0.5);
-    let mut s: [[R; 3]; 3] =
-        core::array::from_fn(|i| core::array::from_fn(|j| half * (b[i][j] + b[j][i])));
-    let mut v = identity(); // VᵀSV diagonal
-    for _ in 0..6 {
-        diagonalise_pair::<R, 0, 1, 3>(&mut v, &mut s, R::splat(1.0));
-        diagonalise_pair::<R, 0, 2, 2>(&mut v, &mut s, R::splat(-1.0));
-        diagonalise_pair::<R, 1, 2, 1>(&mut v, &mut s, R::splat(1.0));
-        v = unit(&v);
-    }
-    let axes = transpose(&matrix(&v)); // rows: eigenvectors
-    let zero = R::splat(0.0);
-    let mut least = zero;
-    let mut turn = identity();
-    for third in 0..3 {
-        let sum = s[(third + 1) % 3][(third + 1) % 3] + s[(third + 2) % 3][(third + 2) % 3];
-        let [x, y, z] = axes[third];
-        let candidate = [zero, x, y, z];
-        for k in 0..4 {
-            turn[k] = sum.where_below(least, candidate[k], turn[k]);
+    let (zero, one) = (R::splat(0.0), R::splat(1.0));
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = normalised(f);
+    let mut n = [
+        [xx + yy + zz, zy - yz, xz - zx, yx - xy],
+        [zy - yz, xx - yy - zz, xy + yx, xz + zx],
+        [xz - zx, xy + yx, yy - xx - zz, yz + zy],
+        [yx - xy, xz + zx, yz + zy, zz - xx - yy],
+    ];
+    // Rows of v become eigenvectors: v N vᵀ is diagonal in the end.
+    let mut v: [[R; 4]; 4] =
+        core::array::from_fn(|i| core::array::from_fn(|j| if i == j { one } else { zero }));
+    for _ in 0..EIGEN_SWEEPS {
+        for (p, r) in [(0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2)] {
+            // tan 2φ = 2 N_pr / (N_pp − N_rr)
+            let (c2, s2) = direction(n[p][p] - n[r][r], n[p][r] + n[p][r]);
+            let (half_c, half_s) = half_angle(c2, s2);
+            let (c, s) = direction(half_c, half_s);
+            for row in &mut n {
+                let (a, b) = (row[p], row[r]);
+                (row[p], row[r]) = (c * a + s * b, c * b - s * a);
+            }
+            for m in [&mut n, &mut v] {
+                for k in 0..4 {
+                    let (a, b) = (m[p][k], m[r][k]);
+                    (m[p][k], m[r][k]) = (c * a + s * b, c * b - s * a);
+                }
+            }
         }
-        least = sum.where_below(least, sum, least);
     }
-    (v, turn)
+    let (mut best, mut most) = (v[0], n[0][0]);
+    for k in 1..4 {
+        best = core::array::from_fn(|c| most.where_below(n[k][k], v[k][c], best[c]));
+        most = most.where_below(n[k][k], n[k][k], most);
+    }
+    usable(&sweeps(&unit(&best), f, 2), &identity())
 }
 
-/// One rotation of the symmetric Jacobi eigenvalue method: S ← RᵀSR with S_pr = 0 after.
-fn diagonalise_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
-    v: &mut Quaternion<R>,
-    s: &mut [[R; 3]; 3],
-    sign: R,
-) {
-    // tan 2φ = 2 S_pr / (S_pp − S_rr); halving the angle twice gives φ and its quaternion.
-    let (c2, s2) = direction(s[P][P] - s[S][S], s[P][S] + s[P][S]);
-    let (hc, hs) = half_angle(c2, s2);
-    let (cos, sin) = direction(hc, hs);
-    for j in 0..3 {
-        let (a, b) = (s[P][j], s[S][j]);
-        s[P][j] = cos * a + sin * b;
-        s[S][j] = cos * b - sin * a;
-    }
-    for row in s.iter_mut() {
-        let (a, b) = (row[P], row[S]);
-        row[P] = cos * a + sin * b;
-        row[S] = cos * b - sin * a;
-    }
-    let (half_c, half_s) = half_angle(cos, sin);
-    *v = turned::<R, AXIS>(v, half_c, sign * half_s);
-}
+/// Jacobi's method squares its error in a sweep once it is small; six bring a 4×4 matrix to f64's end.
+const EIGEN_SWEEPS: u32 = 6;

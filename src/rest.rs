@@ -5,7 +5,7 @@ use crate::element::{Factored, Layout};
 use crate::lane::{BLOCK, blocks};
 use crate::material::Material;
 use crate::math::power_of_two_below;
-use crate::mesh::{Mesh, MeshError, shape};
+use crate::mesh::{Mesh, MeshError, Shape, shape};
 
 /// Eight tetrahedra at rest, component by component. The last block of a mesh is padded with
 /// tetrahedra that have no stiffness and sit at node 0.
@@ -94,14 +94,24 @@ pub(crate) struct RestMut<'a, L: Layout> {
     pub header: &'a mut Header,
 }
 
-/// Checks that every tetrahedron of this material can be held in f32.
+/// Checks that what a step computes of every tetrahedron at rest is in the range of f32: its mass, λV,
+/// μV, |g|², its stiffness; and the sum of the masses.
 pub(crate) fn check_scale(mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
     let (lambda, mu) = material.lame();
+    let finite = |x: f64| to_f32(x).is_finite();
+    let normal = |x: f64| to_f32(x).is_normal();
+    let mut total = 0.0;
     for (tet, corners) in (0_u32..).zip(mesh.tets()) {
-        let volume = shape(mesh.nodes(), corners).map_or(0.0, |s| s.volume);
+        let Some(Shape { volume, gradients }) = shape(mesh.nodes(), corners) else {
+            continue;
+        };
         let mass = volume * f64::from(material.density());
-        let normal = |x: f64| to_f32(x).is_normal();
-        if !(normal(mass / 4.0) && normal(mu * volume) && to_f32(lambda * volume).is_finite()) {
+        total += mass;
+        // |g_0|² is at most three times the sum of the others'.
+        let square = 4.0 * gradients.iter().flatten().fold(0.0, |sum, g| sum + g * g);
+        let stiffness = 2.0 * square * volume * (lambda.abs() + 2.0 * mu);
+        let scalars = normal(mass / 4.0) && normal(mu * volume) && finite(lambda * volume);
+        if !(scalars && finite(square) && finite(stiffness) && finite(2.0 * total)) {
             return Err(MeshError::OutOfScale { tet });
         }
     }

@@ -261,6 +261,8 @@ pub fn step<R: Lanes, L: Layout>(
     if let Some(node) = advance(rest, state, scene, &units, work) {
         return StepReport::refused(Refusal::NonFinite { node });
     }
+    let [rhs, residual_before, residual_after] =
+        [rhs, residual_before, residual_after].map(|norm| norm * units.impulse);
     if !(rhs.is_finite() & residual_before.is_finite() & residual_after.is_finite()) {
         return StepReport::refused(Refusal::OutOfRange);
     }
@@ -273,9 +275,9 @@ pub fn step<R: Lanes, L: Layout>(
     );
     StepReport {
         refusal: None,
-        rhs: rhs * units.impulse,
-        residual_before: residual_before * units.impulse,
-        residual_after: residual_after * units.impulse,
+        rhs,
+        residual_before,
+        residual_after,
         updates,
         contacts,
     }

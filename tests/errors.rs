@@ -203,12 +203,7 @@ fn settings() {
 
 #[test]
 fn colliders() {
-    for normal in [
-        Vec3::ZERO,
-        Vec3::NAN,
-        Vec3::splat(f32::INFINITY),
-        Vec3::splat(1e30),
-    ] {
+    for normal in [Vec3::ZERO, Vec3::NAN, Vec3::splat(f32::INFINITY)] {
         assert_eq!(
             Collider::half_space(normal, 0.0),
             Err(ColliderError::Normal),

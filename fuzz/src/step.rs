@@ -1,0 +1,346 @@
+//! A few steps of a small body in any state, scene and settings.
+
+use femto::element::{Dense, Factored, Layout};
+use femto::glam::Vec3;
+use femto::lane::Lanes;
+use femto::owned::{OwnedRest, OwnedState, OwnedWorkspace};
+use femto::rest::Rest;
+use femto::state::{State, StateError, StateRef};
+use femto::step::step;
+use femto::{
+    Body, Budget, Collider, Material, Mesh, Pin, Preconditioner, Refusal, Scene, Settings, Start,
+    StepReport, blocks,
+};
+use wide::{f32x4, f32x8};
+
+use super::bytes::Bytes;
+use super::{inputs, polar};
+
+const BLOCKS: usize = blocks(inputs::TETS);
+/// What `Start::Rigid(4)` needs.
+const HISTORY: usize = 3;
+const VECTORS: usize = 7;
+type Fixed<L> = Body<{ inputs::NODES }, BLOCKS, HISTORY, VECTORS, L>;
+
+pub fn run(data: &[u8]) {
+    let mut bytes = Bytes::new(data);
+    let dense = bytes.flag();
+    let (nodes, tets) = inputs::body(&mut bytes);
+    let Some(material) = inputs::material(&mut bytes) else {
+        return;
+    };
+    let Ok(mesh) = Mesh::new(&nodes, &tets) else {
+        return;
+    };
+    let Some(settings) = settings(&mut bytes) else {
+        return;
+    };
+    if dense {
+        simulate::<Dense>(&mesh, &material, &settings, &mut bytes);
+    } else {
+        simulate::<Factored>(&mesh, &material, &settings, &mut bytes);
+    }
+}
+
+fn simulate<L: Layout>(
+    mesh: &Mesh<'_>,
+    material: &Material,
+    settings: &Settings,
+    bytes: &mut Bytes<'_>,
+) {
+    let Ok(rest) = OwnedRest::<L>::new(mesh, material) else {
+        return;
+    };
+    let rest = rest.view();
+    // Mostly room for what the steps need.
+    let room = if bytes.below(16) == 15 {
+        start(bytes)
+    } else {
+        settings.start
+    };
+    let mut state = OwnedState::new(&rest, room);
+    let mut used = OwnedWorkspace::new(&rest, room);
+    let mut fixed = Fixed::<L>::new();
+    fixed.fill(mesh, material).expect("what vectors hold");
+    place(&rest, &mut state, &mut fixed, bytes);
+    let scene = SceneData::new(bytes, mesh.nodes().len());
+    for _ in 0..=bytes.below(4) {
+        let mut new = OwnedWorkspace::new(&rest, room);
+        let report = step_owned(&rest, &mut state, [&mut new, &mut used], &scene, settings);
+        let too_small = matches!(report.refusal, Some(Refusal::History | Refusal::Vectors));
+        assert!(!too_small || room != settings.start, "{report:?}");
+        if !too_small {
+            step_fixed(&mut fixed, &state, &report, &scene, settings);
+        }
+    }
+    // Diagnostics of any state.
+    _ = (
+        fixed.energies(scene.gravity),
+        fixed.momenta(),
+        fixed.min_det(),
+    );
+}
+
+/// In a new workspace, then from the snapshot with other lanes in a used one, then once more.
+fn step_owned<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &mut OwnedState,
+    [new, used]: [&mut OwnedWorkspace<L>; 2],
+    scene: &SceneData,
+    settings: &Settings,
+) -> StepReport {
+    let before = state.clone();
+    let report = advance::<f32, L>(rest, state, new, scene, settings);
+    check(&before.view(), &state.view(), &report, settings, scene);
+    for again in [advance::<f32x4, L>, advance::<f32x8, L>, advance::<f32, L>] {
+        let mut other = before.clone();
+        let other_report = again(rest, &mut other, used, scene, settings);
+        assert_eq!(bits(&other.view()), bits(&state.view()));
+        assert_eq!(report_bits(&other_report), report_bits(&report));
+    }
+    report
+}
+
+/// In arrays, from a snapshot that is restored once.
+fn step_fixed<L: Layout>(
+    fixed: &mut Fixed<L>,
+    expected: &OwnedState,
+    report: &StepReport,
+    scene: &SceneData,
+    settings: &Settings,
+) {
+    let mut snapshot = State::new();
+    snapshot.copy_from(fixed.state());
+    for _ in 0..2 {
+        fixed.state_mut().copy_from(&snapshot);
+        let fixed_report = fixed.step(&scene.view(), settings);
+        assert_eq!(report_bits(&fixed_report), report_bits(report));
+        // Arrays keep all the history that there is room for.
+        let without_history = |state| {
+            bits(&StateRef {
+                history: &[],
+                ..state
+            })
+        };
+        assert_eq!(
+            without_history(fixed.state().view()),
+            without_history(expected.view())
+        );
+    }
+}
+
+fn advance<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &mut OwnedState,
+    workspace: &mut OwnedWorkspace<L>,
+    scene: &SceneData,
+    settings: &Settings,
+) -> StepReport {
+    step::<R, L>(
+        rest,
+        &mut state.view_mut(),
+        &mut workspace.view_mut(rest),
+        &scene.view(),
+        settings,
+    )
+}
+
+/// Accepted and finite, or refused and untouched.
+fn check(
+    before: &StateRef<'_>,
+    after: &StateRef<'_>,
+    report: &StepReport,
+    settings: &Settings,
+    scene: &SceneData,
+) {
+    if let Some(refusal) = report.refusal {
+        assert!(!refusal.to_string().is_empty());
+        assert_eq!(
+            bits(before),
+            bits(after),
+            "a refused step must leave the state as it was"
+        );
+        return;
+    }
+    check_state(after);
+    let numbers = [
+        report.rhs,
+        report.residual_before,
+        report.residual_after,
+        report.relative_residual(),
+    ];
+    assert!(numbers.iter().all(|x| x.is_finite()), "{report:?}");
+    assert!(report.updates <= settings.budget.iterations, "{report:?}");
+    assert!(
+        report.contacts as usize <= after.x.len() * scene.colliders.len(),
+        "{report:?}"
+    );
+}
+
+fn check_state(state: &StateRef<'_>) {
+    let vectors = state.x.iter().chain(state.v).chain(state.history);
+    assert!(vectors.flatten().all(|x| x.is_finite()), "{state:?}");
+    for block in state.rotations {
+        for lane in 0..block.0[0].len() {
+            polar::check_unit(block.0.map(|x| x[lane]));
+        }
+    }
+}
+
+/// An affine image of the rest shape with affine velocities, and a few nodes elsewhere.
+fn place<L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &mut OwnedState,
+    fixed: &mut Fixed<L>,
+    bytes: &mut Bytes<'_>,
+) {
+    let usual = [1.0, 0.0, -1.0, 0.99];
+    let mut x = affine(
+        rest.nodes,
+        bytes.usual_vector(&usual),
+        bytes.usual_vector(&[0.0]),
+    );
+    let spin = bytes.usual_vector(&[0.0, 1.0, -1.0]);
+    let turned: Vec<_> = rest.nodes.iter().map(|&[x, y, z]| [y, z, x]).collect();
+    let mut v = affine(&turned, spin, bytes.usual_vector(&[0.0]));
+    for _ in 0..bytes.below(8) {
+        let field = if bytes.flag() { &mut v } else { &mut x };
+        let node = usize::from(bytes.byte()) % field.len();
+        field[node] = bytes.vector();
+    }
+    let before = bits(&state.view());
+    let placed = state.view_mut().place(rest, &x, &v);
+    assert_eq!(placed, fixed.place(&x, &v));
+    match placed {
+        Ok(()) => check_state(&state.view()),
+        Err(refusal) => {
+            assert!(
+                matches!(refusal, StateError::NonFinite { .. }),
+                "{refusal:?}"
+            );
+            assert_eq!(bits(&state.view()), before);
+        }
+    }
+}
+
+fn affine(nodes: &[[f32; 3]], scale: [f32; 3], offset: [f32; 3]) -> Vec<[f32; 3]> {
+    nodes
+        .iter()
+        .map(|x| [0, 1, 2].map(|axis| scale[axis] * x[axis] + offset[axis]))
+        .collect()
+}
+
+fn settings(bytes: &mut Bytes<'_>) -> Option<Settings> {
+    let dt = bytes.usual(&[0.01, 1e-6, 1.0]);
+    let theta = bytes.usual(&[1.0, 0.5, 0.75]);
+    let budget = Budget {
+        iterations: bytes.below(21) as u32,
+        polar_sweeps: bytes.below(5) as u32,
+    };
+    let preconditioners = [
+        Preconditioner::Jacobi,
+        Preconditioner::BlockJacobi,
+        Preconditioner::Mass,
+        Preconditioner::Identity,
+    ];
+    let settings = Settings::new(dt)
+        .ok()?
+        .with_theta(theta)
+        .ok()?
+        .with_budget(budget);
+    let settings = settings.with_start(start(bytes));
+    Some(settings.with_preconditioner(preconditioners[bytes.below(preconditioners.len())]))
+}
+
+fn start(bytes: &mut Bytes<'_>) -> Start {
+    let vectors = bytes.below(5) as u8;
+    match bytes.below(5) {
+        0 => Start::Galerkin(vectors),
+        1 => Start::Rigid(vectors),
+        2 => Start::Velocity,
+        3 => Start::VelocityForce,
+        _ => Start::Zero,
+    }
+}
+
+struct SceneData {
+    gravity: Vec3,
+    forces: Vec<[f32; 3]>,
+    pins: Vec<Pin>,
+    colliders: Vec<Collider>,
+}
+
+impl SceneData {
+    fn new(bytes: &mut Bytes<'_>, nodes: usize) -> Self {
+        let gravity = bytes.usual_vector(&[0.0, -9.81]).into();
+        let forces = [0, nodes, 0, nodes + 1][bytes.below(4)];
+        Self {
+            gravity,
+            forces: (0..forces).map(|_| bytes.usual_vector(&[0.0])).collect(),
+            pins: (0..bytes.below(4)).map(|_| pin(bytes, nodes)).collect(),
+            colliders: (0..bytes.below(4))
+                .filter_map(|_| collider(bytes))
+                .collect(),
+        }
+    }
+
+    fn view(&self) -> Scene<'_> {
+        Scene {
+            gravity: self.gravity,
+            forces: &self.forces,
+            pins: &self.pins,
+            colliders: &self.colliders,
+        }
+    }
+}
+
+fn pin(bytes: &mut Bytes<'_>, nodes: usize) -> Pin {
+    let node = match bytes.byte() {
+        255 => bytes.word(),
+        near => u32::from(near) % nodes as u32,
+    };
+    Pin {
+        node,
+        velocity: bytes.usual_vector(&[0.0]).into(),
+    }
+}
+
+fn collider(bytes: &mut Bytes<'_>) -> Option<Collider> {
+    let make = if bytes.flag() {
+        Collider::sphere
+    } else {
+        Collider::half_space
+    };
+    let collider = make(bytes.usual_vector(&[0.0, 1.0]).into(), bytes.number()).ok()?;
+    let (friction, velocity) = (bytes.usual(&[0.0, 0.5]), bytes.usual_vector(&[0.0]).into());
+    let collider = collider
+        .with_friction(friction)
+        .ok()?
+        .with_velocity(velocity)
+        .ok()?;
+    let (distance, normal) = collider.distance(bytes.vector().into());
+    let square = normal.dot(normal);
+    let unit = (square - 1.0).abs() <= 8.0 * f32::EPSILON;
+    assert!(
+        unit || !distance.is_finite(),
+        "{collider:?}: a normal of length² {square:e}"
+    );
+    Some(collider)
+}
+
+/// Every bit of a state.
+fn bits(state: &StateRef<'_>) -> Vec<u32> {
+    let vectors = state.x.iter().chain(state.v).chain(state.history).flatten();
+    let rotations = state
+        .rotations
+        .iter()
+        .flat_map(|block| block.0.as_flattened());
+    vectors.chain(rotations).map(|x| x.to_bits()).collect()
+}
+
+/// A report that equals itself; the payload of a NaN is the machine's.
+fn report_bits(report: &StepReport) -> impl PartialEq + std::fmt::Debug + use<> {
+    let bits = |x: f32| if x.is_nan() { u32::MAX } else { x.to_bits() };
+    let numbers = [report.rhs, report.residual_before, report.residual_after].map(bits);
+    (report.refusal, numbers, report.updates, report.contacts)
+}
