@@ -29,9 +29,10 @@
 //! surface (τ = 1) while a truncated solve stops the rest of the body would store energy that was
 //! never there.
 //!
-//! Nodes that the solve moves into a surface nevertheless are put back on it after it,
-//! and so are nodes that start a step inside, so no node ends a step inside: up to rounding of its coordinates for one collider, for several
-//! up to what their correction in turn leaves where they meet at an acute angle.
+//! Nodes that the solve moves into a surface nevertheless are put back on it after it, and so are nodes
+//! that start a step inside. So no node ends a step inside: to rounding of its coordinates for one
+//! collider; for several, to what correcting one after the other leaves where they meet at an acute
+//! angle.
 
 use glam::Vec3;
 
@@ -113,12 +114,16 @@ pub(crate) struct Decisions<'a> {
     pub gaps: &'a mut [[f32; 3]],
 }
 
-/// Decides who is in contact and who slides. Returns the number of contacts.
+/// Decides who is in contact and who slides. Returns the number of contacts. Without colliders nothing
+/// is read or written.
 pub(crate) fn touch(
     colliders: &[Collider],
     step: &ContactStep<'_>,
     out: &mut Decisions<'_>,
 ) -> u32 {
+    if colliders.is_empty() {
+        return 0;
+    }
     let margin = TOUCHING * step.length_unit;
     let per_dt = 1.0 / step.dt;
     let mut contacts = 0;

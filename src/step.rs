@@ -157,13 +157,11 @@ pub fn step<R: Lanes, L: Layout>(
         gaps: &mut *work.p,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
-    for c in work
-        .v
-        .as_flattened_mut()
-        .iter_mut()
-        .chain(work.p.as_flattened_mut())
-    {
-        *c /= units.velocity;
+    // From here on in units of the velocity unit, also the gaps that wait in p.
+    for c in [&mut *work.v, &mut *work.p] {
+        c.as_flattened_mut()
+            .iter_mut()
+            .for_each(|c| *c /= units.velocity);
     }
     settings
         .preconditioner

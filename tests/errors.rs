@@ -259,3 +259,38 @@ fn placing() {
     );
     assert_eq!(*body.state(), before);
 }
+
+/// Found by fuzzing: squares that vanish or overflow on the way to a unit normal.
+#[test]
+fn normals_are_unit_length_at_any_scale() {
+    for size in [1e-35, 1e-20, 1.0, 1e20, 1e38] {
+        let plane = Collider::half_space(Vec3::new(size, -size, 0.5 * size), 0.0).unwrap();
+        let (_, n) = plane.distance(Vec3::ZERO);
+        assert!(
+            (n.length() - 1.0).abs() < 4.0 * f32::EPSILON,
+            "{size:e}: {n}"
+        );
+        let ball = Collider::sphere(Vec3::ZERO, 1.0).unwrap();
+        let (d, n) = ball.distance(Vec3::new(size, 0.0, size));
+        assert!(
+            (n.length() - 1.0).abs() < 4.0 * f32::EPSILON || !d.is_finite(),
+            "{size:e}: {n}"
+        );
+    }
+}
+
+/// Found by fuzzing: edges between finite positions can overflow.
+#[test]
+fn rotations_stay_rotations_wherever_a_body_is_placed() {
+    let mesh = Mesh::new(&NODES, &TETS).unwrap();
+    let material = Material::new(1e6, 0.3, 1000.0).unwrap();
+    let mut body: OwnedBody = OwnedBody::new(&mesh, &material, Start::default()).unwrap();
+    let far = NODES.map(|x| x.map(|c| 6e38_f64 * (f64::from(c) - 0.5)).map(|c| c as f32));
+    body.place(&far, &NODES).unwrap();
+    for block in body.state().view().rotations {
+        for lane in 0..8 {
+            let square: f32 = block.0.iter().map(|c| c[lane] * c[lane]).sum();
+            assert!((square - 1.0).abs() < 8.0 * f32::EPSILON);
+        }
+    }
+}

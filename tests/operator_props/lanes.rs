@@ -31,6 +31,8 @@ impl Slide {
         if pinned {
             setup = setup.pinned(|x| x[0] < 0.05 && x[1] < 0.05, |x| [0.0, 0.1 * x[2], 0.0]);
         }
+        // Pressed flat, so that it swells against the ground.
+        setup.x.iter_mut().for_each(|x| x[1] *= 0.8);
         let speed = length / time;
         let scaled = |u: Vec<[f32; 3]>, by: f32| {
             u.into_iter().map(|u| u.map(|c| c * by)).collect::<Vec<_>>()

@@ -57,11 +57,6 @@ impl BlockCsr {
         }
     }
 
-    /// Blocks per tetrahedron.
-    pub fn density(&self) -> f64 {
-        self.columns.len() as f64 / self.slots.len() as f64
-    }
-
     /// Zero but for the masses on the diagonal.
     pub fn clear(&mut self, masses: impl Iterator<Item = f32>) {
         self.values.fill(0.0);

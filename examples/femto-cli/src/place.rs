@@ -87,7 +87,7 @@ impl Placing {
     }
 }
 
-/// Rodrigues: R = cos I + sin [k]ₓ + (1 − cos) k kᵀ, columns.
+/// Rodrigues: R = cos I + sin k× + (1 − cos) k kᵀ, columns.
 fn rotation(k: DVec3, degrees: f64) -> DMat3 {
     let (sin, cos) = libm::sincos(degrees * (std::f64::consts::PI / 180.0));
     let column = |e: DVec3| cos * e + sin * k.cross(e) + (1.0 - cos) * k.dot(e) * k;
