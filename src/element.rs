@@ -19,7 +19,9 @@
 //! ```
 //!
 //! which is the same matrix in 36 bytes. [`Dense`] stores the six blocks above the diagonal (rows
-//! sum to zero), 216 bytes, and carries *any* linear elastic material.
+//! sum to zero), 216 bytes, and carries *any* linear elastic material. (For an isotropic one the force
+//! is exactly the slope of the energy, rotations included. For an anisotropic one it is the slope at
+//! frozen rotations, as in every corotated method: σ and S do not commute.)
 
 use crate::algebra::{
     add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose, zero3,

@@ -11,7 +11,8 @@
 //! Among all rotations in that plane it gives the greatest tr(QᵀF) (there, a/√.. ↦ √(a² + d²) ≥ a),
 //! so sweeps over the pairs (0,1), (0,2), (1,2) climb to the nearest *rotation* of F, also where F
 //! is flat or inverted: no sign fix and no SVD. Where a = d = 0 every angle is as good, and the
-//! identity is taken.
+//! identity is taken. A warm start near the end squares its error in a sweep while the stretches s₁ ≥ s₂ ≥ s₃
+//! (s₃ < 0 when inverted) keep s₂ + s₃ large; where that nearly vanishes, sweeps gain little.
 //!
 //! Q is kept as a unit quaternion and renormalised once a sweep, so it cannot drift. A warm start
 //! comes from the last step; [`nearest_rotation`] starts cold.
@@ -160,8 +161,9 @@ fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
     q.map(|component| component * inverse)
 }
 
-/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost. Any `f`; where
-/// the nearest rotation is not unique, one of them; the identity where `f` is not finite.
+/// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost. Where the nearest
+/// rotation is not unique, one of them; the identity where `f` is not finite, or where its entries are
+/// so small that they count as zero (3e-36 in sum, in f32).
 ///
 /// Sweeps can stop at a saddle, so this goes another way (Horn 1987): tr(QᵀF) = qᵀNq for the unit
 /// quaternion q of Q, and the greatest is at N's greatest eigenvector, found by Jacobi's method for
