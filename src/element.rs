@@ -125,6 +125,15 @@ fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     ]
 }
 
+/// S = λ tr(H) I + μ (H + Hᵀ)
+#[inline(always)]
+fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
+    let pressure = lambda * (h[0][0] + h[1][1] + h[2][2]);
+    let [xx, yy, zz] = [0, 1, 2].map(|a| pressure + mu * (h[a][a] + h[a][a]));
+    let [xy, xz, yz] = [(0, 1), (0, 2), (1, 2)].map(|(a, b)| mu * (h[a][b] + h[b][a]));
+    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+}
+
 /// The fourth corner balances the other three.
 #[inline(always)]
 fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
@@ -162,23 +171,21 @@ impl Layout for Factored {
         unit: R,
         rotated: &mut Self::Rotated,
     ) -> [[R; 3]; 4] {
-        let g = gradients::<R>(bite.tet, bite.at);
-        let strain = strain(&mul_mat(&transpose(q), &deformation(&bite.edges, &g)));
-        let lambda = R::load(&bite.tet.lambda_v, bite.at);
-        let two_mu = R::splat(2.0) * R::load(&bite.tet.mu_v, bite.at);
-        let pressure = lambda * (strain[0][0] + strain[1][1] + strain[2][2]);
-        let mut stress = strain.map(|row| row.map(|e| two_mu * e)); // Vσ
-        for axis in 0..3 {
-            stress[axis][axis] = stress[axis][axis] + pressure;
-        }
-        let q_stress = mul_mat(q, &stress);
-        for corner in 0..3 {
-            let turned = scale3(&mul_vec(q, &g[corner]), unit); // G = Q g
-            for axis in 0..3 {
-                turned[axis].store(&mut rotated.0[corner][axis], bite.at);
+        let g = gradients::<R>(bite.tet, bite.at).map(|g| mul_vec(q, &g)); // G = Q g
+        for (g, out) in g.iter().zip(&mut rotated.0) {
+            for (g, out) in scale3(g, unit).iter().zip(out) {
+                g.store(out, bite.at);
             }
         }
-        balanced(g.map(|g| neg3(&mul_vec(&q_stress, &g)))) // f = −V Q σ g
+        // In world axes: FQᵀ = Σ_j (x_j − x_0) G_jᵀ, and f = −V (QσQᵀ) G.
+        let mut h = deformation(&bite.edges, &g);
+        for axis in 0..3 {
+            h[axis][axis] = h[axis][axis] - R::splat(1.0);
+        }
+        let lambda = R::load(&bite.tet.lambda_v, bite.at);
+        let mu = R::load(&bite.tet.mu_v, bite.at);
+        let s = stress(&h, lambda, mu);
+        balanced(g.map(|g| neg3(&mul_vec(&s, &g))))
     }
 
     #[inline(always)]
@@ -193,17 +200,7 @@ impl Layout for Factored {
         let h = deformation(&edges(u), &g); // H = Σ (u_j − u_0) G_jᵀ
         let lambda = scale * R::load(&tet.lambda_v, at);
         let mu = scale * R::load(&tet.mu_v, at);
-        let pressure = lambda * (h[0][0] + h[1][1] + h[2][2]);
-        let (xy, xz, yz) = (
-            mu * (h[0][1] + h[1][0]),
-            mu * (h[0][2] + h[2][0]),
-            mu * (h[1][2] + h[2][1]),
-        );
-        let s = [
-            [pressure + mu * (h[0][0] + h[0][0]), xy, xz],
-            [xy, pressure + mu * (h[1][1] + h[1][1]), yz],
-            [xz, yz, pressure + mu * (h[2][2] + h[2][2])],
-        ];
+        let s = stress(&h, lambda, mu);
         balanced(g.map(|g| mul_vec(&s, &g))) // (K u)_i = S G_i
     }
 
