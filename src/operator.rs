@@ -75,6 +75,27 @@ impl<L: Layout> Operator<'_, L> {
         }
     }
 
+    /// Writes the diagonal of A: half the work of [`Self::diagonal`].
+    pub fn diagonal_entries<R: Lanes>(&self, out: &mut [[f32; 3]]) {
+        for (out, &m) in out.iter_mut().zip(self.inertia) {
+            *out = [m; 3];
+        }
+        let scale = R::splat(self.stiffness);
+        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
+            let mut at = 0;
+            while at < BLOCK {
+                let blocks = L::diagonal(tet, rotated, at, scale);
+                R::scatter_add(
+                    &blocks.map(|[x, _, _, y, _, z]| [x, y, z]),
+                    out,
+                    &tet.corners,
+                    at,
+                );
+                at += R::WIDTH;
+            }
+        }
+    }
+
     /// Writes the 3×3 diagonal blocks of A.
     pub fn diagonal<R: Lanes>(&self, out: &mut [Sym3<f32>]) {
         for (out, &m) in out.iter_mut().zip(self.inertia) {

@@ -23,8 +23,13 @@ pub enum Preconditioner {
 
 impl Preconditioner {
     /// Whether [`Self::prepare`] reads the diagonal blocks of A.
+    pub(crate) fn needs_blocks(self) -> bool {
+        self == Self::BlockJacobi
+    }
+
+    /// Whether it reads the diagonal of A.
     pub(crate) fn needs_diagonal(self) -> bool {
-        matches!(self, Self::Jacobi | Self::BlockJacobi)
+        self == Self::Jacobi
     }
 
     /// Writes P_i B_i P_i for every node, over the diagonal blocks of A.

@@ -126,14 +126,19 @@ pub fn step<R: Lanes, L: Layout>(
     for (inertia, m) in work.inertia.iter_mut().zip(rest.masses) {
         *inertia = mass * m;
     }
-    if settings.preconditioner.needs_diagonal() || !scene.colliders.is_empty() {
-        Operator {
-            rest: *rest,
-            rotated: &*work.rotated,
-            inertia: &*work.inertia,
-            stiffness,
+    let operator = Operator {
+        rest: *rest,
+        rotated: &*work.rotated,
+        inertia: &*work.inertia,
+        stiffness,
+    };
+    if settings.preconditioner.needs_blocks() || !scene.colliders.is_empty() {
+        operator.diagonal::<R>(work.blocks);
+    } else if settings.preconditioner.needs_diagonal() {
+        operator.diagonal_entries::<R>(work.q);
+        for (block, &[x, y, z]) in work.blocks.iter_mut().zip(&*work.q) {
+            *block = [x, 0.0, 0.0, y, 0.0, z];
         }
-        .diagonal::<R>(work.blocks);
     }
 
     // Who is held, who touches, who slides; targets c in m/s.
