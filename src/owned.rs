@@ -190,17 +190,18 @@ impl<L: Layout> OwnedWorkspace<L> {
         let stored = self.space.len().checked_div(self.nodes).unwrap_or(0) * nodes;
         let [v, r, p, q] = &mut self.vectors;
         WorkspaceMut {
-            rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
-            filter: self.filter.get_mut(..nodes).unwrap_or_default(),
-            blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
-            inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
-            v: v.get_mut(..nodes).unwrap_or_default(),
-            r: r.get_mut(..nodes).unwrap_or_default(),
-            p: p.get_mut(..nodes).unwrap_or_default(),
-            q: q.get_mut(..nodes).unwrap_or_default(),
-            vectors: self.space.get_mut(..stored).unwrap_or_default(),
-            products: self.products.get_mut(..stored).unwrap_or_default(),
+            rotated: &mut self.rotated,
+            filter: &mut self.filter,
+            blocks: &mut self.blocks,
+            inertia: &mut self.inertia,
+            v,
+            r,
+            p,
+            q,
+            vectors: &mut self.space,
+            products: &mut self.products,
         }
+        .cut(nodes, blocks, stored)
     }
 }
 

@@ -18,6 +18,24 @@ pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) products: &'a mut [[f32; 3]],
 }
 
+impl<L: Layout> WorkspaceMut<'_, L> {
+    /// The parts that a body needs of larger ones; empty where there is too little.
+    pub(crate) fn cut(self, nodes: usize, blocks: usize, stored: usize) -> Self {
+        Self {
+            rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
+            filter: self.filter.get_mut(..nodes).unwrap_or_default(),
+            blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
+            inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
+            v: self.v.get_mut(..nodes).unwrap_or_default(),
+            r: self.r.get_mut(..nodes).unwrap_or_default(),
+            p: self.p.get_mut(..nodes).unwrap_or_default(),
+            q: self.q.get_mut(..nodes).unwrap_or_default(),
+            vectors: self.vectors.get_mut(..stored).unwrap_or_default(),
+            products: self.products.get_mut(..stored).unwrap_or_default(),
+        }
+    }
+}
+
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors)).
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
@@ -69,25 +87,18 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
         let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
         let [v, r, p, q] = &mut self.vectors;
         WorkspaceMut {
-            rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
-            filter: self.filter.get_mut(..nodes).unwrap_or_default(),
-            blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
-            inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
-            v: v.get_mut(..nodes).unwrap_or_default(),
-            r: r.get_mut(..nodes).unwrap_or_default(),
-            p: p.get_mut(..nodes).unwrap_or_default(),
-            q: q.get_mut(..nodes).unwrap_or_default(),
-            vectors: self
-                .space
-                .as_flattened_mut()
-                .get_mut(..VECTORS * nodes)
-                .unwrap_or_default(),
-            products: self
-                .products
-                .as_flattened_mut()
-                .get_mut(..VECTORS * nodes)
-                .unwrap_or_default(),
+            rotated: &mut self.rotated,
+            filter: &mut self.filter,
+            blocks: &mut self.blocks,
+            inertia: &mut self.inertia,
+            v,
+            r,
+            p,
+            q,
+            vectors: self.space.as_flattened_mut(),
+            products: self.products.as_flattened_mut(),
         }
+        .cut(nodes, blocks, VECTORS * nodes)
     }
 }
 

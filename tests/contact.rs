@@ -5,7 +5,7 @@ mod support;
 use femto::collider::Collider;
 use femto::glam::Vec3;
 use femto::owned::OwnedBody;
-use femto::settings::{Budget, Preconditioner, Settings, Start};
+use femto::settings::{Preconditioner, Settings, Start};
 use femto::step::{Scene, StepReport};
 use support::meshes::{box_mesh, jitter};
 use support::scenes::Setup;
@@ -20,10 +20,7 @@ fn ground(friction: f32) -> Collider {
 }
 
 fn settings(setup: &Setup, start: Start, iterations: u32) -> Settings {
-    setup.settings().with_start(start).with_budget(Budget {
-        iterations,
-        polar_sweeps: 2,
-    })
+    setup.solver(start, Preconditioner::Jacobi, iterations)
 }
 
 /// A cube of side 0.5 whose lowest face is at `height`.

@@ -12,7 +12,7 @@ mod support;
 
 use femto::body::StateRef;
 use femto::owned::OwnedBody;
-use femto::settings::{Budget, Preconditioner, Settings, Start};
+use femto::settings::{Preconditioner, Settings, Start};
 use nalgebra::{DVector, Matrix3, Quaternion, UnitQuaternion};
 use proptest::prelude::*;
 use support::meshes::{TetMesh, box_mesh, chain, jitter, single_tet, two_pieces};
@@ -117,23 +117,6 @@ fn longest_edge(setup: &Setup, x: &[[f32; 3]]) -> f64 {
     pairs
         .map(|(a, b)| (at(a) - at(b)).norm())
         .fold(0.0, f64::max)
-}
-
-fn settings(
-    setup: &Setup,
-    start: Start,
-    preconditioner: Preconditioner,
-    iterations: u32,
-) -> Settings {
-    let budget = Budget {
-        iterations,
-        polar_sweeps: 2,
-    };
-    setup
-        .settings()
-        .with_budget(budget)
-        .with_start(start)
-        .with_preconditioner(preconditioner)
 }
 
 fn mesh() -> impl Strategy<Value = TetMesh> {
@@ -253,7 +236,7 @@ proptest! {
             for (past, i) in slots.zip(0_u64..) {
                 past.copy_from_slice(&if parallel { setup.v.clone() } else { noise(past.len(), 1.0, seed ^ i) });
             }
-            let account = account(&setup, &mut body, &settings(&setup, start, preconditioner, iterations));
+            let account = account(&setup, &mut body, &setup.solver(start, preconditioner, iterations));
             prop_assert!(check(&account, iterations).is_ok(), "{}", check(&account, iterations).unwrap_err());
         }
     }
@@ -292,7 +275,7 @@ fn energy_never_rises_along_truncated_runs() {
                     let account = account(
                         setup,
                         &mut body,
-                        &settings(setup, start, Preconditioner::Jacobi, iterations),
+                        &setup.solver(start, Preconditioner::Jacobi, iterations),
                     );
                     if let Err(why) = check(&account, iterations) {
                         panic!(
@@ -315,7 +298,7 @@ fn the_velocity_start_violates_it() {
         let setup = bar(1e7);
         let mut body = setup.body(Start::Velocity);
         for _ in 0..100 {
-            let settings = settings(&setup, Start::Velocity, Preconditioner::Jacobi, iterations);
+            let settings = setup.solver(Start::Velocity, Preconditioner::Jacobi, iterations);
             let account = account(&setup, &mut body, &settings);
             println!(
                 "V {iterations} {} {} {}",

@@ -5,7 +5,7 @@
 mod support;
 
 use femto::owned::OwnedBody;
-use femto::settings::{Budget, Preconditioner, Settings, Start};
+use femto::settings::{Preconditioner, Settings, Start};
 use nalgebra::Vector3;
 use support::scenes::{self, Setup};
 
@@ -16,23 +16,6 @@ const PRECONDITIONERS: [Preconditioner; 4] = [
     Preconditioner::BlockJacobi,
 ];
 const STEPS: usize = 150;
-
-fn settings(
-    setup: &Setup,
-    start: Start,
-    preconditioner: Preconditioner,
-    iterations: u32,
-) -> Settings {
-    let budget = Budget {
-        iterations,
-        polar_sweeps: 2,
-    };
-    setup
-        .settings()
-        .with_budget(budget)
-        .with_start(start)
-        .with_preconditioner(preconditioner)
-}
 
 fn linear(body: &OwnedBody) -> Vector3<f64> {
     Vector3::from(body.momenta().linear)
@@ -111,7 +94,7 @@ fn linear_momentum_is_exact_at_every_budget() {
             for preconditioner in PRECONDITIONERS {
                 for iterations in [0, 1, 2, 5] {
                     let (worst, astray) =
-                        drift(&setup, &settings(&setup, start, preconditioner, iterations));
+                        drift(&setup, &setup.solver(start, preconditioner, iterations));
                     let case = format!(
                         "E = {:e}, {start:?}, {preconditioner:?}, {iterations}",
                         setup.young
@@ -129,7 +112,7 @@ fn the_velocity_start_gets_free_fall_wrong() {
     let setup = thrown(1e6, 0.0, 1.0);
     let (worst, astray) = drift(
         &setup,
-        &settings(&setup, Start::Velocity, Preconditioner::Jacobi, 3),
+        &setup.solver(Start::Velocity, Preconditioner::Jacobi, 3),
     );
     println!("velocity, Jacobi, 3 iterations: momentum off by {worst}, centre by {astray} m");
     assert!(worst > 0.2 && astray > 0.5);
@@ -143,7 +126,7 @@ fn spin_drift(young: f32, start: Start, iterations: u32) -> f64 {
     };
     let mut body: OwnedBody = setup.body(start);
     let before = spin(&body);
-    let settings = settings(&setup, start, Preconditioner::Jacobi, iterations);
+    let settings = setup.solver(start, Preconditioner::Jacobi, iterations);
     for _ in 0..STEPS {
         assert!(body.step(&setup.scene(&[]), &settings).advanced());
     }

@@ -6,7 +6,7 @@ use femto::glam::Vec3;
 use femto::material::Material;
 use femto::mesh::Mesh;
 use femto::owned::OwnedBody;
-use femto::settings::{Settings, Start};
+use femto::settings::{Budget, Preconditioner, Settings, Start};
 use femto::step::Scene;
 
 use super::meshes::{TetMesh, box_mesh, jitter, two_pieces};
@@ -115,6 +115,23 @@ impl Setup {
             .unwrap()
             .with_theta(self.theta)
             .unwrap()
+    }
+
+    /// The setup's settings with this solver and two polar sweeps.
+    pub fn solver(
+        &self,
+        start: Start,
+        preconditioner: Preconditioner,
+        iterations: u32,
+    ) -> Settings {
+        let budget = Budget {
+            iterations,
+            polar_sweeps: 2,
+        };
+        self.settings()
+            .with_budget(budget)
+            .with_start(start)
+            .with_preconditioner(preconditioner)
     }
 
     pub fn reference(&self) -> Reference {
