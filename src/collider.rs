@@ -31,7 +31,7 @@ pub enum ColliderError {
     Normal,
     /// The offset or centre is not finite.
     Place,
-    /// The radius is not positive and finite.
+    /// The radius is not positive, or its square not finite.
     Radius,
     /// The coefficient of friction is negative or not finite.
     Friction,
@@ -44,7 +44,7 @@ impl fmt::Display for ColliderError {
         f.write_str(match self {
             Self::Normal => "the normal must be finite and not zero",
             Self::Place => "the offset or centre must be finite",
-            Self::Radius => "the radius must be positive and finite",
+            Self::Radius => "the radius must be positive, and its square finite",
             Self::Friction => "the coefficient of friction must be finite and not negative",
             Self::Velocity => "the velocity must be finite",
         })
@@ -85,7 +85,8 @@ impl Collider {
         if !centre.is_finite() {
             return Err(ColliderError::Place);
         }
-        if !(radius > 0.0 && radius.is_finite()) {
+        // Its square is needed, too.
+        if !(radius > 0.0 && (radius * radius).is_finite()) {
             return Err(ColliderError::Radius);
         }
         Ok(Self {
