@@ -289,7 +289,7 @@ fn energy_never_rises_along_truncated_runs() {
     }
 }
 
-/// DESIGN: the paper's start raises the energy when stopped early. Here within one step of a free
+/// The paper's start raises the energy when stopped early. Here within one step of a free
 /// bar at E = 1e7, with up to the paper's own 10 iterations.
 #[test]
 fn the_velocity_start_violates_it() {
