@@ -8,10 +8,10 @@
 //! B ← RᵀB,  Q ← Q R,  R = [c −s; s c] in the plane (p, r)
 //! ```
 //!
-//! Among all rotations in that plane it gives the greatest tr(QᵀF) (there, a/√.. ↦ √(a² + d²) ≥ a),
+//! Among all rotations in that plane it gives the greatest tr(QᵀF) (the plane's share grows from a to √(a² + d²)),
 //! so sweeps over the pairs (0,1), (0,2), (1,2) climb to the nearest *rotation* of F, also where F
 //! is flat or inverted: no sign fix and no SVD. Where a = d = 0 every angle is as good, and the
-//! identity is taken. A warm start near the end squares its error in a sweep while the stretches s₁ ≥ s₂ ≥ s₃
+//! identity is taken. A sweep from a good start squares its error while the stretches s₁ ≥ s₂ ≥ s₃
 //! (s₃ < 0 when inverted) keep s₂ + s₃ large; where that nearly vanishes, sweeps gain little.
 //!
 //! Q is kept as a unit quaternion and renormalised once a sweep, so it cannot drift. A warm start

@@ -3,6 +3,7 @@
 //! All four are one symmetric 3×3 block B_i per node, with the filter on both sides: z_i = P_i B_i P_i r_i.
 //! So they share one buffer and one loop, and the choice between them costs nothing in the iteration.
 
+use crate::algebra::mul_mat;
 use crate::element::Sym3;
 use crate::math::{ratio_or_zero, select};
 
@@ -57,7 +58,7 @@ impl Preconditioner {
 #[inline]
 fn sandwich(p: &Sym3<f32>, b: &Sym3<f32>) -> Sym3<f32> {
     let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
-    let m = crate::algebra::mul_mat(&crate::algebra::mul_mat(&full(p), &full(b)), &full(p));
+    let m = mul_mat(&mul_mat(&full(p), &full(b)), &full(p));
     [m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]]
 }
 
@@ -67,8 +68,7 @@ fn sandwich(p: &Sym3<f32>, b: &Sym3<f32>) -> Sym3<f32> {
 fn inverse(a: &Sym3<f32>) -> Sym3<f32> {
     let per = |x: f32| ratio_or_zero(1.0, x, 0.0);
     let (dx, dy, dz) = (per(a[0]), per(a[3]), per(a[5]));
-    // Brought to a unit diagonal by powers near 1/√d: here by d itself on one side, which keeps
-    // every product of order one.
+    // Every product carries the diagonal's inverses, which keeps it of order one in any unit.
     let (xy, xz, yz) = (a[1], a[2], a[4]);
     let (sx, sy, sz) = (yz * yz * dy * dz, xz * xz * dx * dz, xy * xy * dx * dy);
     let det = 1.0 - sx - sy - sz + 2.0 * (xy * dx) * (yz * dy) * (xz * dz);
@@ -95,7 +95,7 @@ mod tests {
         let a = [4.0, 1.0, -0.5, 3.0, 0.25, 2.0];
         let b = inverse(&a);
         let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
-        let product = crate::algebra::mul_mat(&full(&a), &full(&b));
+        let product = mul_mat(&full(&a), &full(&b));
         for (i, row) in product.iter().enumerate() {
             for (j, x) in row.iter().enumerate() {
                 // A dozen roundings of numbers of order one.

@@ -309,5 +309,9 @@ fn the_velocity_start_violates_it() {
             worst = worst.max(account.rise / account.energy);
         }
     }
+    println!(
+        "velocity: the energy rises to {:.2} times itself in a step",
+        1.0 + worst
+    );
     assert!(worst > 0.1, "the energy rose by {worst} in a step");
 }

@@ -58,6 +58,10 @@ fn two_hundred_steps_follow_the_oracle() {
         ];
         let allowed = if setup.pins.is_empty() { RUN } else { HELD_RUN };
         for (first, last) in runs {
+            println!(
+                "{}: {first:.1e} after one step, {last:.1e} after 200",
+                setup.name
+            );
             assert!(first < ONE_STEP, "{}: {first:e} after one step", setup.name);
             assert!(last < allowed, "{}: {last:e} after 200 steps", setup.name);
         }
