@@ -15,7 +15,7 @@ use femto::owned::OwnedBody;
 use femto::settings::{Preconditioner, Settings, Start};
 use nalgebra::{DVector, Matrix3, Quaternion, UnitQuaternion};
 use proptest::prelude::*;
-use support::meshes::{TetMesh, box_mesh, chain, jitter, single_tet, two_pieces};
+use support::meshes::{TetMesh, box_mesh, chain, jitter, noise, single_tet, two_pieces};
 use support::reference::{Reference, stack};
 use support::scenes::{self, Setup};
 
@@ -144,14 +144,6 @@ fn preconditioner() -> impl Strategy<Value = Preconditioner> {
         Preconditioner::Jacobi,
         Preconditioner::BlockJacobi,
     ])
-}
-
-/// Vectors with entries of size up to `size`, from a seed.
-fn noise(nodes: usize, size: f64, seed: u64) -> Vec<[f32; 3]> {
-    let mut lcg = support::meshes::Lcg(seed);
-    (0..nodes)
-        .map(|_| std::array::from_fn(|_| (size * lcg.signed()) as f32))
-        .collect()
 }
 
 fn setup() -> impl Strategy<Value = Setup> {

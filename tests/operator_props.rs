@@ -26,7 +26,8 @@ use femto::operator::{Fit, Operator, RotationBlock, fit_rotations, rotate};
 use femto::owned::OwnedRest;
 use nalgebra::{DVector, Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use support::meshes::{Lcg, box_mesh, chain, jitter, single_tet, two_pieces};
+use support::assert_within;
+use support::meshes::{Lcg, box_mesh, chain, jitter, noise, single_tet, two_pieces};
 use support::reference::{Reference, node, stack};
 use support::scenes::Setup;
 
@@ -147,28 +148,6 @@ fn force_rounding(oracle: &Reference, x: &[[f32; 3]]) -> DVector<f64> {
     rounding(oracle, |tet| {
         (edges(&x, tet) + edges(&oracle.rest, tet)).sqrt()
     })
-}
-
-#[track_caller]
-fn assert_within<'a>(
-    found: impl IntoIterator<Item = &'a f64>,
-    expected: impl IntoIterator<Item = &'a f64>,
-    bound: impl IntoIterator<Item = &'a f64>,
-) {
-    for (k, ((found, expected), bound)) in found.into_iter().zip(expected).zip(bound).enumerate() {
-        let error = (found - expected).abs();
-        assert!(
-            error <= *bound,
-            "entry {k}: {found:e}, not {expected:e}; bound {bound:e}"
-        );
-    }
-}
-
-fn noise(nodes: usize, size: f64, seed: u64) -> Vec<[f32; 3]> {
-    let mut random = Lcg(seed);
-    (0..nodes)
-        .map(|_| core::array::from_fn(|_| (size * random.signed()) as f32))
-        .collect()
 }
 
 /// Any body, slivers and huge ratios of stiffness to mass among them, in any state: at rest, uneven, a

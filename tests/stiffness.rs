@@ -24,6 +24,7 @@ use femto::operator::{Fit, Operator, RotationBlock, fit_rotations, rotate};
 use femto::owned::OwnedRest;
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+use support::assert_within;
 use support::meshes::{Lcg, TetMesh, box_mesh, chain, jitter, single_tet, two_pieces};
 use support::reference::{Reference, node, stack};
 use support::scenes::Setup;
@@ -158,21 +159,6 @@ impl<L: Layout> Body<L> {
         let gap = s[1] + s[2].copysign(f.determinant());
         assert!(gap > 0.1 * f.norm(), "a tie: choose another state");
         f.norm() / gap
-    }
-}
-
-#[track_caller]
-fn assert_within<'a>(
-    found: impl IntoIterator<Item = &'a f64>,
-    expected: impl IntoIterator<Item = &'a f64>,
-    bound: impl IntoIterator<Item = &'a f64>,
-) {
-    for (k, ((found, expected), bound)) in found.into_iter().zip(expected).zip(bound).enumerate() {
-        let error = (found - expected).abs();
-        assert!(
-            error <= *bound,
-            "entry {k}: {found:e}, not {expected:e}; bound {bound:e}"
-        );
     }
 }
 

@@ -141,3 +141,11 @@ pub fn jitter(mesh: &TetMesh, amount: f64, seed: u64) -> TetMesh {
         amount *= 0.5;
     }
 }
+
+/// Node vectors with components of size up to `size`.
+pub fn noise(nodes: usize, size: f64, seed: u64) -> Vec<[f32; 3]> {
+    let mut random = Lcg(seed);
+    (0..nodes)
+        .map(|_| core::array::from_fn(|_| (size * random.signed()) as f32))
+        .collect()
+}
