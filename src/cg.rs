@@ -21,6 +21,8 @@ pub(crate) trait System {
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]);
     /// `z` = P B P r, symmetric and positive semidefinite
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]);
+    /// Square of the norm that tells a residual from rounding, given rᵀPBPr.
+    fn size(&self, r: &[[f32; 3]], rz: f32) -> f32;
 }
 
 /// Residuals below this part (squared) of the right-hand side are rounding: (2⁻²²)², two bits
@@ -28,16 +30,16 @@ pub(crate) trait System {
 const ROUNDING: f32 = 1.0 / (1_u64 << 44) as f32;
 
 /// Runs exactly `iterations` iterations from the iterate `v` with residual `r` ⟂ W; `p` and `q` are
-/// scratch. `rhs_square` is bᵀPBPb. Returns after how many iterations the update froze.
+/// scratch. `rhs_size` is [`System::size`] of b. Returns after how many iterations the update froze.
 pub(crate) fn solve(
     system: &impl System,
     space: &Space<'_>,
     iterations: u32,
-    rhs_square: f32,
+    rhs_size: f32,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
 ) -> u32 {
     let floor = {
-        let relative = ROUNDING * rhs_square;
+        let relative = ROUNDING * rhs_size;
         select(relative > NOTHING, relative, NOTHING)
     };
     let (mut live, mut updates, mut previous) = (true, 0, 0.0);
@@ -46,7 +48,7 @@ pub(crate) fn solve(
         system.precondition(r, q); // z
         space.orthogonalise(q);
         let rz = dot(r, q);
-        live &= rz > floor;
+        live &= system.size(r, rz) > floor;
         updates += u32::from(live);
         // The first iteration has no previous square: β = 0.
         let beta = ratio_or_zero(rz, previous, 0.0);

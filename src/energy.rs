@@ -156,15 +156,14 @@ impl StateHash {
     /// The hash of no body.
     #[must_use]
     pub const fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
+        Self(FNV_START)
     }
 
     /// With one more body.
     #[must_use]
     pub fn with(mut self, x: &[[f32; 3]], v: &[[f32; 3]]) -> Self {
-        for byte in x.iter().chain(v).flatten().flat_map(|c| c.to_le_bytes()) {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        let bytes = x.iter().chain(v).flatten().flat_map(|c| c.to_le_bytes());
+        self.0 = fnv1a(self.0, bytes);
         self
     }
 
@@ -179,4 +178,14 @@ impl Default for StateHash {
     fn default() -> Self {
         Self::new()
     }
+}
+
+/// FNV-1a's value before the first byte.
+pub(crate) const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// 64-bit FNV-1a, gone on with.
+pub(crate) fn fnv1a(start: u64, bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(start, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
 }

@@ -104,7 +104,7 @@ pub mod operator;
 #[cfg(feature = "alloc")]
 pub mod owned;
 pub mod polar;
-mod preconditioner;
+pub mod preconditioner;
 pub mod report;
 pub mod rest;
 pub mod scene;
@@ -123,6 +123,7 @@ pub use material::Material;
 pub use mesh::Mesh;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedBody;
+pub use preconditioner::{Factor, Preconditioner};
 pub use report::{Refusal, StepReport};
 pub use scene::Scene;
-pub use settings::{Budget, Preconditioner, Settings, Start};
+pub use settings::{Budget, Settings, Start};

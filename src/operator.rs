@@ -19,7 +19,7 @@ impl RotationBlock {
     pub const ZERO: Self = Self([[0.0; BLOCK]; 4]);
 
     #[inline(always)]
-    fn load<R: Lanes>(&self, at: usize) -> Quaternion<R> {
+    pub(crate) fn load<R: Lanes>(&self, at: usize) -> Quaternion<R> {
         core::array::from_fn(|c| R::load(&self.0[c], at))
     }
 
@@ -105,10 +105,7 @@ impl<L: Layout> Operator<'_, L> {
         let (rows, _) = out.as_flattened_mut().as_chunks_mut();
         let scale = R::splat(self.stiffness);
         for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
-            let first = tet
-                .corners
-                .map(|corner| corner.map(|node| node.wrapping_mul(2)));
-            let second = first.map(|corner| corner.map(|row| row | 1));
+            let [first, second] = two_rows(&tet.corners);
             let mut at = 0;
             while at < BLOCK {
                 let blocks = L::diagonal(tet, rotated, at, scale);
@@ -118,6 +115,13 @@ impl<L: Layout> Operator<'_, L> {
             }
         }
     }
+}
+
+/// Corners in a list that has two rows of three numbers a node: the numbers of both.
+#[inline(always)]
+pub(crate) fn two_rows(corners: &[[u32; BLOCK]; 4]) -> [[[u32; BLOCK]; 4]; 2] {
+    let first = corners.map(|corner| corner.map(|node| node.wrapping_mul(2)));
+    [first, first.map(|corner| corner.map(|row| row | 1))]
 }
 
 /// Rotates the stiffness of every tetrahedron and adds `scale` times the elastic forces at `x`

@@ -25,6 +25,8 @@ pub enum Refusal {
     History,
     /// The start needs more vectors than the workspace holds.
     Vectors,
+    /// The factor was made for another mesh.
+    Factor,
 }
 
 impl core::fmt::Display for Refusal {
@@ -38,6 +40,7 @@ impl core::fmt::Display for Refusal {
             Self::Forces => f.write_str("the list of forces is not as long as the body has nodes"),
             Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
             Self::History => f.write_str("the start needs more history than the state keeps"),
+            Self::Factor => f.write_str("the factor was made for another mesh"),
             Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
         }
     }

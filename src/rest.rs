@@ -2,6 +2,7 @@
 //! shared by any number of bodies.
 
 use crate::element::{Factored, Layout};
+use crate::energy::{FNV_START, fnv1a};
 use crate::lane::{BLOCK, blocks};
 use crate::material::Material;
 use crate::math::power_of_two_below;
@@ -36,6 +37,8 @@ impl TetBlock {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Header {
+    /// Of nodes and tetrahedra, whatever the material: tells which mesh a factor belongs to.
+    pub fingerprint: u64,
     /// Tetrahedra, without padding.
     pub tets: u32,
     /// Mass-proportional damping α, 1/s.
@@ -52,6 +55,7 @@ pub struct Header {
 
 impl Header {
     pub(crate) const EMPTY: Self = Self {
+        fingerprint: 0,
         tets: 0,
         alpha: 0.0,
         beta: 0.0,
@@ -172,6 +176,7 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
     )]
     let (per_tet, per_node) = (total_volume / tets as f64, total_mass / nodes as f64);
     *out.header = Header {
+        fingerprint: fingerprint(mesh),
         tets: u32::try_from(tets).unwrap_or(u32::MAX),
         alpha: material.alpha(),
         beta: material.beta(),
@@ -179,6 +184,13 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
         mass_unit: power_of_two_below(to_f32(per_node)),
         total_mass: to_f32(total_mass),
     };
+}
+
+/// 64-bit FNV-1a over the bytes of the nodes' coordinates, then the tetrahedra's corners.
+fn fingerprint(mesh: &Mesh<'_>) -> u64 {
+    let nodes = mesh.nodes().as_flattened().iter().map(|x| x.to_le_bytes());
+    let corners = mesh.tets().as_flattened().iter().map(|i| i.to_le_bytes());
+    fnv1a(FNV_START, nodes.chain(corners).flatten())
 }
 
 /// Bytes of rest data.

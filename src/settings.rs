@@ -76,7 +76,7 @@ impl Start {
 
 /// Everything about a step but the scene, validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct Settings<'a> {
     dt: f32,
     theta: f32,
     /// Iterations and sweeps.
@@ -84,7 +84,7 @@ pub struct Settings {
     /// Start of the solver.
     pub start: Start,
     /// Preconditioner of the solver.
-    pub preconditioner: Preconditioner,
+    pub preconditioner: Preconditioner<'a>,
 }
 
 /// Which setting is out of its range; it carries the value.
@@ -108,7 +108,7 @@ impl fmt::Display for SettingsError {
 
 impl core::error::Error for SettingsError {}
 
-impl Settings {
+impl<'a> Settings<'a> {
     /// Backward Euler with a time step of `dt` seconds and the default budget and solver.
     ///
     /// # Errors
@@ -152,7 +152,7 @@ impl Settings {
 
     /// With this preconditioner.
     #[must_use]
-    pub fn with_preconditioner(self, preconditioner: Preconditioner) -> Self {
+    pub fn with_preconditioner(self, preconditioner: Preconditioner<'a>) -> Self {
         Self {
             preconditioner,
             ..self

@@ -28,12 +28,13 @@ use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
 use crate::math::{power_of_two_below, select, sqrt};
 use crate::operator::{Fit, Operator, fit_rotations, rotate};
+use crate::preconditioner::{Preconditioner, Prepared};
 pub use crate::report::{Refusal, StepReport};
 use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translations, fill_space, keep_momentum};
-use crate::vector::{add_scaled, dot, multiply_blocks, sym_mul};
+use crate::vector::{add_scaled, dot, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
 pub(crate) struct Units {
@@ -80,8 +81,7 @@ impl Units {
 /// The system as the solver sees it.
 struct Filtered<'a, L: Layout, R> {
     operator: Operator<'a, L>,
-    /// P B P
-    blocks: &'a [Sym3<f32>],
+    preconditioner: Prepared<'a>,
     lanes: core::marker::PhantomData<R>,
 }
 
@@ -90,7 +90,24 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
         self.operator.apply::<R>(u, out);
     }
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
-        multiply_blocks(z, self.blocks, r);
+        self.preconditioner.apply(r, z);
+    }
+    fn size(&self, r: &[[f32; 3]], rz: f32) -> f32 {
+        if self.preconditioner.is_cheap() {
+            rz
+        } else {
+            filtered_square(self.preconditioner.filter, r)
+        }
+    }
+}
+
+impl<L: Layout, R: Lanes> Filtered<'_, L, R> {
+    /// [`System::size`] of any residual; `z` is scratch.
+    fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
+        if self.preconditioner.is_cheap() {
+            self.precondition(r, z);
+        }
+        self.size(r, dot(r, z))
     }
 }
 
@@ -168,9 +185,13 @@ pub fn step<R: Lanes, L: Layout>(
             .iter_mut()
             .for_each(|c| *c /= units.velocity);
     }
-    settings
-        .preconditioner
-        .prepare(work.inertia, work.filter, work.blocks);
+    settings.preconditioner.prepare::<R, L>(
+        rest,
+        state.rotations,
+        work.inertia,
+        work.filter,
+        work.blocks,
+    );
     let operator = Operator {
         rest: *rest,
         rotated: &*work.rotated,
@@ -179,7 +200,11 @@ pub fn step<R: Lanes, L: Layout>(
     };
     let system = Filtered::<L, R> {
         operator,
-        blocks: &*work.blocks,
+        preconditioner: Prepared {
+            preconditioner: settings.preconditioner,
+            filter: &*work.filter,
+            blocks: &*work.blocks,
+        },
         lanes: core::marker::PhantomData,
     };
 
@@ -205,13 +230,13 @@ pub fn step<R: Lanes, L: Layout>(
         .add_stiffness::<R>(work.q, work.r);
     }
     let rhs = filtered_norm(work.filter, work.r);
-    let mut rhs_square = squared(&system, work.r, work.q);
+    let mut rhs_size = system.size_of(work.r, work.q);
     let guessed = matches!(settings.start, Start::Velocity | Start::VelocityForce);
     if guessed || scene.moves() {
         system.apply(work.v, work.q);
         add_scaled(work.r, -1.0, work.q);
-        let moved = squared(&system, work.r, work.q);
-        rhs_square = select(moved > rhs_square, moved, rhs_square);
+        let moved = system.size_of(work.r, work.q);
+        rhs_size = select(moved > rhs_size, moved, rhs_size);
     }
 
     // W, and the Galerkin solution over it.
@@ -251,7 +276,7 @@ pub fn step<R: Lanes, L: Layout>(
         &system,
         &space,
         settings.budget.iterations,
-        rhs_square,
+        rhs_size,
         [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
     );
     space.project(work.v, work.r);
@@ -323,6 +348,11 @@ fn check<L: Layout>(
     if work.vectors.len().min(work.products.len()) < settings.start.vectors() * nodes {
         return Err(Refusal::Vectors);
     }
+    if let Preconditioner::Factored(factor) = settings.preconditioner
+        && (factor.fingerprint() != rest.header.fingerprint || factor.nodes() != nodes)
+    {
+        return Err(Refusal::Factor);
+    }
     if !(scene.forces.is_empty() || scene.forces.len() == nodes) {
         return Err(Refusal::Forces);
     }
@@ -377,20 +407,19 @@ fn add_explicit<L: Layout>(
     }
 }
 
-/// rᵀPBPr; `z` is scratch
-fn squared(system: &impl System, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
-    system.precondition(r, z);
-    dot(r, z)
-}
-
 /// ‖P u‖
 fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
+    sqrt(filtered_square(filter, u))
+}
+
+/// ‖P u‖²
+fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
     let mut sum = 0.0;
     for (p, u) in filter.iter().zip(u) {
         let u = sym_mul(p, u);
         sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
     }
-    sqrt(sum)
+    sum
 }
 
 /// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.

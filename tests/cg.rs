@@ -144,7 +144,7 @@ impl Step {
         }
     }
 
-    fn solver(&self, start: Start, preconditioner: Preconditioner) -> Solver<'_> {
+    fn solver<'a>(&'a self, start: Start, preconditioner: Preconditioner<'a>) -> Solver<'a> {
         let body = self.setup.body(start);
         Solver {
             step: self,
@@ -197,7 +197,7 @@ struct Solver<'a> {
     step: &'a Step,
     body: OwnedBody<Factored>,
     start: Start,
-    preconditioner: Preconditioner,
+    preconditioner: Preconditioner<'a>,
 }
 
 impl Solver<'_> {

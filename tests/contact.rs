@@ -19,7 +19,7 @@ fn ground(friction: f32) -> Collider {
         .unwrap()
 }
 
-fn settings(setup: &Setup, start: Start, iterations: u32) -> Settings {
+fn settings(setup: &Setup, start: Start, iterations: u32) -> Settings<'static> {
     setup.solver(start, Preconditioner::Jacobi, iterations)
 }
 

@@ -137,7 +137,7 @@ fn start() -> impl Strategy<Value = Start> {
     ]
 }
 
-fn preconditioner() -> impl Strategy<Value = Preconditioner> {
+fn preconditioner() -> impl Strategy<Value = Preconditioner<'static>> {
     prop::sample::select(vec![
         Preconditioner::Identity,
         Preconditioner::Mass,

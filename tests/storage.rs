@@ -34,7 +34,7 @@ fn colliders() -> [Collider; 1] {
         .unwrap()]
 }
 
-fn settings(setup: &Setup) -> Settings {
+fn settings(setup: &Setup) -> Settings<'static> {
     setup.settings().with_start(START)
 }
 

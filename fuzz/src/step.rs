@@ -226,7 +226,7 @@ fn affine(nodes: &[[f32; 3]], scale: [f32; 3], offset: [f32; 3]) -> Vec<[f32; 3]
         .collect()
 }
 
-fn settings(bytes: &mut Bytes<'_>) -> Option<Settings> {
+fn settings(bytes: &mut Bytes<'_>) -> Option<Settings<'static>> {
     let dt = bytes.usual(&[0.01, 1e-6, 1.0]);
     let theta = bytes.usual(&[1.0, 0.5, 0.75]);
     let budget = Budget {

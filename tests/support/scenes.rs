@@ -110,7 +110,7 @@ impl Setup {
         }
     }
 
-    pub fn settings(&self) -> Settings {
+    pub fn settings(&self) -> Settings<'static> {
         Settings::new(self.h)
             .unwrap()
             .with_theta(self.theta)
@@ -118,12 +118,12 @@ impl Setup {
     }
 
     /// The setup's settings with this solver and two polar sweeps.
-    pub fn solver(
+    pub fn solver<'a>(
         &self,
         start: Start,
-        preconditioner: Preconditioner,
+        preconditioner: Preconditioner<'a>,
         iterations: u32,
-    ) -> Settings {
+    ) -> Settings<'a> {
         let budget = Budget {
             iterations,
             polar_sweeps: 2,

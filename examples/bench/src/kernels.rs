@@ -68,7 +68,7 @@ impl<L: Layout> Body<L> {
     }
 
     /// In the state of the scene, with what `start` needs to step from there.
-    pub fn stepper(&self, settings: Settings) -> Stepper<'_, L> {
+    pub fn stepper<'a>(&'a self, settings: Settings<'a>) -> Stepper<'a, L> {
         let rest = self.rest.view();
         let workspace = OwnedWorkspace::new(&rest, settings.start);
         let mut stepper = Stepper {
@@ -89,7 +89,7 @@ pub struct Stepper<'a, L: Layout> {
     rest: Rest<'a, L>,
     state: OwnedState,
     workspace: OwnedWorkspace<L>,
-    settings: Settings,
+    settings: Settings<'a>,
 }
 
 impl<L: Layout> Stepper<'_, L> {

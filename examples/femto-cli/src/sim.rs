@@ -22,7 +22,7 @@ use crate::scene::{self, Collider, Scene, Shape};
 pub struct Sim {
     bodies: Vec<Body>,
     gravity: Vec3,
-    settings: Settings,
+    settings: Settings<'static>,
     substeps: u32,
     /// In f64, for the places of moving colliders.
     substep: f64,
@@ -273,7 +273,7 @@ impl Sim {
     }
 }
 
-fn settings(scene: &Scene) -> Result<Settings, SettingsError> {
+fn settings(scene: &Scene) -> Result<Settings<'static>, SettingsError> {
     let start = match scene.start {
         scene::Start::Zero => Start::Zero,
         scene::Start::Velocity => Start::Velocity,

@@ -7,34 +7,19 @@ use crate::algebra::mul_mat;
 use crate::element::Sym3;
 use crate::math::{ratio_or_zero, select};
 
-/// The block B_i of node i.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Preconditioner {
-    /// The identity.
+/// The block B_i of node i: see the variants of the same names of
+/// [`Preconditioner`](super::Preconditioner).
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Local {
     Identity,
-    /// The inverse of the lumped mass (and of what damps and rubs at the node).
     Mass,
-    /// The inverse of A's diagonal.
-    #[default]
     Jacobi,
-    /// The inverse of A's 3×3 diagonal block.
     BlockJacobi,
 }
 
-impl Preconditioner {
-    /// Whether [`Self::prepare`] reads the diagonal blocks of A.
-    pub(crate) fn needs_blocks(self) -> bool {
-        self == Self::BlockJacobi
-    }
-
-    /// Whether it reads the diagonal of A.
-    pub(crate) fn needs_diagonal(self) -> bool {
-        self == Self::Jacobi
-    }
-
+impl Local {
     /// Writes P_i B_i P_i for every node, over the diagonal blocks of A.
-    pub(crate) fn prepare(self, inertia: &[f32], filter: &[Sym3<f32>], blocks: &mut [Sym3<f32>]) {
+    pub fn prepare(self, inertia: &[f32], filter: &[Sym3<f32>], blocks: &mut [Sym3<f32>]) {
         for ((block, p), m) in blocks.iter_mut().zip(filter).zip(inertia) {
             let diagonal = |x: f32, y: f32, z: f32| [x, 0.0, 0.0, y, 0.0, z];
             let local = match self {
