@@ -7,14 +7,9 @@ mod support;
 use femto::owned::OwnedBody;
 use femto::settings::{Preconditioner, Settings, Start};
 use nalgebra::Vector3;
+use support::factors;
 use support::scenes::{self, Setup};
 
-const PRECONDITIONERS: [Preconditioner; 4] = [
-    Preconditioner::Identity,
-    Preconditioner::Mass,
-    Preconditioner::Jacobi,
-    Preconditioner::BlockJacobi,
-];
 const STEPS: usize = 150;
 
 fn linear(body: &OwnedBody) -> Vector3<f64> {
@@ -84,6 +79,9 @@ fn linear_momentum_is_exact_at_every_budget() {
         thrown(1e8, 0.0, 1.0),
         thrown(1e7, 0.7, 0.5),
     ] {
+        let preconditioners: Vec<_> = (0..factors::COUNT)
+            .map(|which| factors::preconditioner(&setup, which))
+            .collect();
         for start in [
             Start::Galerkin(0),
             Start::Galerkin(1),
@@ -91,13 +89,19 @@ fn linear_momentum_is_exact_at_every_budget() {
             Start::Rigid(0),
             Start::Rigid(2),
         ] {
-            for preconditioner in PRECONDITIONERS {
+            // Without v(t) in W, and with one iteration of a wrong factor, the body keeps its spin and does not
+            // pull itself together: fitting the rotations anew feeds it energy, until rounding is of
+            // another size.
+            let remembers = !matches!(start, Start::Galerkin(0) | Start::Rigid(0));
+            for which in 0..factors::COUNT - usize::from(!remembers) {
+                let preconditioner = preconditioners[which];
                 for iterations in [0, 1, 2, 5] {
                     let (worst, astray) =
                         drift(&setup, &setup.solver(start, preconditioner, iterations));
                     let case = format!(
-                        "E = {:e}, {start:?}, {preconditioner:?}, {iterations}",
-                        setup.young
+                        "E = {:e}, {start:?}, {}, {iterations}",
+                        setup.young,
+                        factors::name(which)
                     );
                     assert!(worst < bound, "{case}: momentum off by {worst:e}");
                     assert!(astray < travel, "{case}: centre off by {astray:e} m");

@@ -391,8 +391,9 @@ impl<S: Stored> Entry for [S; 9] {
     }
     #[inline(always)]
     fn gather(&self, z: &[f32; 3], sums: &mut [f32; 9]) {
-        for (k, (sum, l)) in sums.iter_mut().zip(self).enumerate() {
-            *sum += l.value() * z[k % 3];
+        let l = self.map(S::value);
+        for k in 0..9 {
+            sums[k] += l[k] * z[k % 3];
         }
     }
     #[inline(always)]

@@ -1,0 +1,372 @@
+//! What a factor buys: whole trajectories at fixed budgets, their error and their time.
+//!
+//! `cargo run --release -p femto-bench --bin factors [MESH.msh NODE RADIUS]`
+//!
+//! Scenes: the snowman, swinging from its head; a cantilever of 4,913 nodes; and, if named, a mesh of
+//! the user's, held by the nodes within RADIUS of NODE. Error is the distance of the nodes from the
+//! converged run of the same time step, root mean square over nodes, mean over steps, over the
+//! bounding box's diagonal. Time is that of a step, everything included, in units of one K apply on the same mesh.
+
+#[path = "../clock.rs"]
+#[allow(dead_code, reason = "the benchmark uses more of it")]
+mod clock;
+#[path = "../mesh.rs"]
+#[allow(dead_code, reason = "the benchmark uses more of it")]
+mod mesh;
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use clock::{Effort, Kernel};
+use femto::element::Factored;
+use femto::glam::Vec3;
+use femto::lane::{Lanes, Native};
+use femto::operator::{Operator, rotate};
+use femto::owned::{OwnedRest, OwnedState, OwnedWorkspace};
+use femto::rest::Rest;
+use femto::step::step;
+use femto::{Budget, Factor, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start};
+use femto_bake::{FactorOptions, Kind, Precision};
+
+struct Case {
+    name: String,
+    nodes: Vec<[f32; 3]>,
+    tets: Vec<[u32; 4]>,
+    young: f32,
+    poisson: f32,
+    dt: f32,
+    steps: u32,
+    held: Vec<u32>,
+}
+
+/// What it is called, and its solver.
+struct Method<'a> {
+    name: &'static str,
+    start: Start,
+    preconditioner: Preconditioner<'a>,
+    iterations: u32,
+}
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let mut cases = vec![snowman(), cantilever()];
+    if let [file, node, radius] = args.as_slice() {
+        cases = vec![own(
+            file,
+            node.parse().expect("a node number"),
+            radius.parse().expect("a radius"),
+        )];
+    } else if !args.is_empty() {
+        eprintln!("usage: factors [MESH.msh NODE RADIUS]");
+        std::process::exit(2);
+    }
+    for case in cases {
+        report(&case);
+    }
+}
+
+fn snowman() -> Case {
+    let (nodes, tets) = msh(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../femto-cli/meshes/snowman.msh"
+    ));
+    let top = nodes.iter().map(|x| x[1]).fold(f32::MIN, f32::max);
+    let held = near(&nodes, |x| x[1] > top - 0.15);
+    Case {
+        name: "snowman, hung by its head".into(),
+        nodes,
+        tets,
+        young: 1e5,
+        poisson: 0.4,
+        dt: 1.0 / 150.0,
+        steps: 150,
+        held,
+    }
+}
+
+fn cantilever() -> Case {
+    let scene = mesh::box_scene([48, 10, 8]);
+    let held = near(&scene.nodes, |x| x[0] < 0.05);
+    Case {
+        name: "cantilever".into(),
+        nodes: scene.nodes,
+        tets: scene.tets,
+        young: 1e7,
+        poisson: 0.4,
+        dt: 1.0 / 150.0,
+        steps: 60,
+        held,
+    }
+}
+
+/// Scaled to a tenth and turned by 180° about y.
+fn own(file: &str, node: usize, radius: f32) -> Case {
+    let (mut nodes, tets) = msh(file);
+    for x in &mut nodes {
+        *x = [-0.1 * x[0], 0.1 * x[1], -0.1 * x[2]];
+    }
+    let centre = Vec3::from_array(nodes[node]);
+    let held = near(&nodes, |x| Vec3::from_array(x).distance(centre) < radius);
+    Case {
+        name: file.into(),
+        nodes,
+        tets,
+        young: 1e6,
+        poisson: 0.33,
+        dt: 0.01,
+        steps: 80,
+        held,
+    }
+}
+
+fn near(nodes: &[[f32; 3]], inside: impl Fn([f32; 3]) -> bool) -> Vec<u32> {
+    (0..)
+        .zip(nodes)
+        .filter(|(_, x)| inside(**x))
+        .map(|(i, _)| i)
+        .collect()
+}
+
+fn msh(file: &str) -> (Vec<[f32; 3]>, Vec<[u32; 4]>) {
+    let bytes = std::fs::read(file).unwrap_or_else(|e| panic!("{file}: {e}"));
+    let msh = mshio::parse_msh_bytes(&bytes).unwrap_or_else(|e| panic!("{file}: {e:?}"));
+    let nodes = msh.data.nodes.expect("nodes");
+    let mut numbers = std::collections::HashMap::new();
+    let mut out = Vec::new();
+    for block in &nodes.node_blocks {
+        for (k, node) in block.nodes.iter().enumerate() {
+            let tag = block
+                .node_tags
+                .as_ref()
+                .map_or(out.len() as u64 + 1, |tags| {
+                    *tags.iter().find(|(_, at)| **at == k).expect("a tag").0
+                });
+            numbers.insert(tag, out.len() as u32);
+            out.push([node.x as f32, node.y as f32, node.z as f32]);
+        }
+    }
+    let mut tets = Vec::new();
+    for block in &msh.data.elements.expect("elements").element_blocks {
+        if block.element_type == mshio::ElementType::Tet4 {
+            for element in &block.elements {
+                tets.push(std::array::from_fn(|c| numbers[&element.nodes[c]]));
+            }
+        }
+    }
+    (out, tets)
+}
+
+fn report(case: &Case) {
+    let mesh = Mesh::new(&case.nodes, &case.tets).expect("a good mesh");
+    let material = Material::new(case.young, case.poisson, 1000.0).expect("a good material");
+    let rest = OwnedRest::<Factored>::new(&mesh, &material).expect("in range");
+    let rest = rest.view();
+    let settings = Settings::new(case.dt).expect("a good time step");
+    let factors: Vec<_> = [
+        (Kind::Laplacian, Precision::Single),
+        (Kind::Warped, Precision::Single),
+        (Kind::Warped, Precision::Half),
+    ]
+    .into_iter()
+    .map(|(kind, precision)| {
+        let held = case.held.clone();
+        let options = FactorOptions {
+            kind,
+            precision,
+            held,
+            ..FactorOptions::default()
+        };
+        femto_bake::factor(&rest, &settings, &options).expect("a factor")
+    })
+    .collect();
+    let factors: Vec<Factor> = factors.iter().map(|f| f.view()).collect();
+    let [laplacian, warped, half] = factors.as_slice() else {
+        unreachable!()
+    };
+    let apply = apply_time(&rest, &settings);
+    println!(
+        "\n## {}: {} nodes, {} tetrahedra; E = {:e}, nu = {}, h = {:.4}",
+        case.name,
+        case.nodes.len(),
+        case.tets.len(),
+        case.young,
+        case.poisson,
+        case.dt
+    );
+    for (name, factor) in [
+        ("Laplacian", laplacian),
+        ("warped", warped),
+        ("warped f16", half),
+    ] {
+        println!(
+            "{name}: {} scalars, {} bytes, one application {:.2} K applies",
+            factor.scalars(),
+            factor.bytes(),
+            solve_time(factor, case.nodes.len()) / apply
+        );
+    }
+    let converged = run(
+        case,
+        &rest,
+        settings
+            .with_start(Start::Galerkin(2))
+            .with_preconditioner(Preconditioner::Factored(warped))
+            .with_budget(Budget {
+                iterations: 60,
+                polar_sweeps: 2,
+            }),
+    )
+    .0;
+    let mut methods = Vec::new();
+    for iterations in [1, 2, 3, 5, 8, 12, 18, 27, 40, 60, 90, 140] {
+        methods.push(Method {
+            name: "Jacobi",
+            start: Start::Velocity,
+            preconditioner: Preconditioner::Jacobi,
+            iterations,
+        });
+    }
+    for (name, factor) in [
+        ("Laplacian", laplacian),
+        ("warped", warped),
+        ("warped f16", half),
+    ] {
+        for iterations in [1, 2, 3, 5] {
+            methods.push(Method {
+                name,
+                start: Start::Galerkin(2),
+                preconditioner: Preconditioner::Factored(factor),
+                iterations,
+            });
+        }
+    }
+    println!(
+        "| preconditioner | start | iterations | step / K apply | error | Jacobi's at this time, over it |"
+    );
+    println!("|---|---|---|---|---|---|");
+    let mut paper: Vec<(f64, f64)> = Vec::new();
+    for method in &methods {
+        let settings = settings
+            .with_start(method.start)
+            .with_preconditioner(method.preconditioner)
+            .with_budget(Budget {
+                iterations: method.iterations,
+                polar_sweeps: 2,
+            });
+        let (path, time) = run(case, &rest, settings);
+        let (time, error) = (time / apply, error(case, &path, &converged));
+        let ratio = if method.start == Start::Velocity {
+            paper.push((time, error));
+            String::new()
+        } else {
+            // The first budget of the paper's that takes at least as long.
+            paper
+                .iter()
+                .find(|(other, _)| *other >= time)
+                .map_or("no budget".into(), |(_, other)| {
+                    format!("{:.0}", other / error)
+                })
+        };
+        println!(
+            "| {} | {} | {} | {time:.1} | {error:.1e} | {ratio} |",
+            method.name,
+            match method.start {
+                Start::Velocity => "velocity",
+                _ => "galerkin-2",
+            },
+            method.iterations
+        );
+    }
+}
+
+/// Positions after every step, and seconds of the fastest step.
+fn run(case: &Case, rest: &Rest<'_>, settings: Settings<'_>) -> (Vec<Vec<[f32; 3]>>, f64) {
+    let pins: Vec<Pin> = case.held.iter().map(|&node| Pin::held(node)).collect();
+    let scene = Scene {
+        gravity: Vec3::new(0.0, -9.81, 0.0),
+        pins: &pins,
+        ..Scene::default()
+    };
+    let mut path = Vec::new();
+    let mut best = f64::INFINITY;
+    for _ in 0..3 {
+        path.clear();
+        let mut state = OwnedState::new(rest, settings.start);
+        let mut work = OwnedWorkspace::new(rest, settings.start);
+        for _ in 0..case.steps {
+            let begin = clock::now();
+            let report = step::<Native, Factored>(
+                rest,
+                &mut state.view_mut(),
+                &mut work.view_mut(rest),
+                &scene,
+                &settings,
+            );
+            best = best.min((clock::now() - begin).as_secs_f64());
+            assert!(report.advanced(), "{report:?}");
+            path.push(state.view().x.to_vec());
+        }
+    }
+    (path, best)
+}
+
+fn error(case: &Case, path: &[Vec<[f32; 3]>], converged: &[Vec<[f32; 3]>]) -> f64 {
+    let distance = |a: &[f32; 3], b: &[f32; 3]| -> f64 {
+        (0..3)
+            .map(|axis| (f64::from(a[axis]) - f64::from(b[axis])).powi(2))
+            .sum()
+    };
+    let corner = |pick: fn(f32, f32) -> f32, start: f32| -> [f32; 3] {
+        std::array::from_fn(|axis| case.nodes.iter().map(|x| x[axis]).fold(start, pick))
+    };
+    let diagonal = distance(&corner(f32::min, f32::MAX), &corner(f32::max, f32::MIN)).sqrt();
+    let rms = |a: &[[f32; 3]], b: &[[f32; 3]]| {
+        let sum: f64 = a.iter().zip(b).map(|(a, b)| distance(a, b)).sum();
+        (sum / a.len() as f64).sqrt()
+    };
+    let sum: f64 = path.iter().zip(converged).map(|(a, b)| rms(a, b)).sum();
+    sum / path.len() as f64 / diagonal
+}
+
+const EFFORT: Effort = Effort {
+    rounds: 15,
+    sample: Duration::from_millis(10),
+};
+
+/// Seconds of one K apply.
+fn apply_time(rest: &Rest<'_>, settings: &Settings<'_>) -> f64 {
+    let state = OwnedState::new(rest, Start::Zero);
+    let nodes = rest.nodes.len();
+    let mut rotated = vec![<Factored as femto::element::Layout>::ZERO_ROTATED; rest.blocks.len()];
+    let mut out = vec![[0.0; 3]; nodes];
+    rotate::<Native, Factored>(
+        rest,
+        rest.nodes,
+        state.view().rotations,
+        1.0,
+        &mut rotated,
+        &mut out,
+    );
+    let inertia = vec![1.0; nodes];
+    let operator = Operator {
+        rest: *rest,
+        rotated: &rotated,
+        inertia: &inertia,
+        stiffness: settings.dt() * settings.dt(),
+    };
+    let u = out.clone();
+    let kernel = Kernel::new("K apply", Native::WIDTH, move || {
+        operator.apply::<Native>(black_box(&u), black_box(&mut out));
+    });
+    clock::time(&mut [kernel], EFFORT)[0]
+}
+
+/// Seconds of one pair of triangular solves.
+fn solve_time(factor: &Factor<'_>, nodes: usize) -> f64 {
+    let mut z = vec![[1.0; 3]; nodes];
+    let kernel = Kernel::new("solve", 1, move || {
+        z.fill([1.0; 3]);
+        factor.solve(black_box(&mut z));
+    });
+    clock::time(&mut [kernel], EFFORT)[0]
+}
