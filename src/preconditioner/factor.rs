@@ -424,3 +424,24 @@ fn bad_block(pivots: &[Sym3<f32>]) -> Option<usize> {
     };
     pivots.iter().position(|pivot| !good(pivot))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Stored;
+
+    #[test]
+    fn halves_are_read_exactly() {
+        for (bits, value) in [
+            (0x3c00_u16, 1.0),
+            (0xc000, -2.0),
+            (0x3555, 0.333_251_95),
+            (0x7bff, 65504.0),
+            (0x0400, 6.103_515_6e-5),
+            (0x0000, 0.0),
+            (0x8000, -0.0),
+        ] {
+            let read: f32 = bits.value();
+            assert_eq!(read.to_bits(), f32::to_bits(value), "{bits:x}");
+        }
+    }
+}

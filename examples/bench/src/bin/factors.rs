@@ -23,6 +23,7 @@ use femto::glam::Vec3;
 use femto::lane::{Lanes, Native};
 use femto::operator::{Operator, rotate};
 use femto::owned::{OwnedRest, OwnedState, OwnedWorkspace};
+use femto::preconditioner::factor::Entries;
 use femto::rest::Rest;
 use femto::step::step;
 use femto::{Budget, Factor, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start};
@@ -205,6 +206,14 @@ fn report(case: &Case) {
             solve_time(factor, case.nodes.len()) / apply
         );
     }
+    if let Some(scalars) = Scalars::new(warped) {
+        println!(
+            "warped, stored number by number: {} bytes, one application {:.2} K applies",
+            scalars.bytes(),
+            scalars.time() / apply
+        );
+    }
+    thinned(case, &rest, &settings, apply);
     let converged = run(
         case,
         &rest,
@@ -359,6 +368,130 @@ fn apply_time(rest: &Rest<'_>, settings: &Settings<'_>) -> f64 {
         operator.apply::<Native>(black_box(&u), black_box(&mut out));
     });
     clock::time(&mut [kernel], EFFORT)[0]
+}
+
+/// What dropping small blocks saves, and what it costs: the residual after two iterations from rest.
+fn thinned(case: &Case, rest: &Rest<'_>, settings: &Settings<'_>, apply: f64) {
+    println!("| drop | blocks kept | one application / K apply | residual after 2 iterations |");
+    println!("|---|---|---|---|");
+    let pins: Vec<Pin> = case.held.iter().map(|&node| Pin::held(node)).collect();
+    let scene = Scene {
+        gravity: Vec3::new(0.0, -9.81, 0.0),
+        pins: &pins,
+        ..Scene::default()
+    };
+    let mut all = None;
+    for drop in [0.0, 0.01, 0.03, 0.1, 0.3] {
+        let options = FactorOptions {
+            drop,
+            held: case.held.clone(),
+            ..FactorOptions::default()
+        };
+        let owned = femto_bake::factor(rest, settings, &options).expect("a factor");
+        let factor = owned.view();
+        let blocks = factor.rows().len() as f64;
+        let share = blocks / *all.get_or_insert(blocks);
+        let settings = settings
+            .with_start(Start::Zero)
+            .with_preconditioner(Preconditioner::Factored(&factor))
+            .with_budget(Budget {
+                iterations: 2,
+                polar_sweeps: 2,
+            });
+        let mut state = OwnedState::new(rest, settings.start);
+        let mut work = OwnedWorkspace::new(rest, settings.start);
+        let report = step::<Native, Factored>(
+            rest,
+            &mut state.view_mut(),
+            &mut work.view_mut(rest),
+            &scene,
+            &settings,
+        );
+        println!(
+            "| {drop} | {:.0} % | {:.2} | {:.1e} |",
+            100.0 * share,
+            solve_time(&factor, case.nodes.len()) / apply,
+            report.relative_residual()
+        );
+    }
+}
+
+/// A warped factor's L number by number, in compressed columns: what blocks are compared with.
+struct Scalars {
+    order: Vec<u16>,
+    ends: Vec<u32>,
+    rows: Vec<u16>,
+    lower: Vec<f32>,
+}
+
+impl Scalars {
+    /// `None` where there are too many for 16-bit rows. D stays in blocks, and is left out.
+    fn new(factor: &Factor<'_>) -> Option<Self> {
+        let Entries::Warped { lower, .. } = factor.entries() else {
+            return None;
+        };
+        u16::try_from(3 * factor.nodes()).ok()?;
+        let mut out = Self {
+            order: Vec::new(),
+            ends: Vec::new(),
+            rows: Vec::new(),
+            lower: Vec::new(),
+        };
+        let mut start = 0;
+        for (&node, &end) in factor.order().iter().zip(factor.ends()) {
+            let column = start as usize..end as usize;
+            start = end;
+            for b in 0..3 {
+                out.order.push(3 * node + b as u16);
+                for (row, block) in factor.rows()[column.clone()]
+                    .iter()
+                    .zip(&lower[column.clone()])
+                {
+                    for a in 0..3 {
+                        out.rows.push(3 * row + a as u16);
+                        out.lower.push(block[3 * b + a]);
+                    }
+                }
+                out.ends.push(out.rows.len() as u32);
+            }
+        }
+        Some(out)
+    }
+
+    fn bytes(&self) -> usize {
+        6 * self.order.len() + 6 * self.rows.len()
+    }
+
+    /// Seconds of one pair of triangular solves.
+    fn time(&self) -> f64 {
+        let mut z = vec![1.0_f32; self.order.len()];
+        let kernel = Kernel::new("scalars", 1, move || {
+            z.fill(1.0);
+            self.solve(black_box(&mut z));
+        });
+        clock::time(&mut [kernel], EFFORT)[0]
+    }
+
+    fn solve(&self, z: &mut [f32]) {
+        let mut start = 0;
+        for (&column, &end) in self.order.iter().zip(&self.ends) {
+            let range = start as usize..end as usize;
+            start = end;
+            let y = z[usize::from(column)];
+            for (&row, l) in self.rows[range.clone()].iter().zip(&self.lower[range]) {
+                z[usize::from(row)] -= l * y;
+            }
+        }
+        for (place, &column) in self.order.iter().enumerate().rev() {
+            let start = if place == 0 { 0 } else { self.ends[place - 1] };
+            let range = start as usize..self.ends[place] as usize;
+            let mut sum = 0.0;
+            for (&row, l) in self.rows[range.clone()].iter().zip(&self.lower[range]) {
+                sum += l * z[usize::from(row)];
+            }
+            z[usize::from(column)] -= sum;
+        }
+    }
 }
 
 /// Seconds of one pair of triangular solves.
