@@ -43,6 +43,14 @@
 //! expand. In f32 v⁺ ⟂ r holds to rounding in the first iterations; later, conjugate gradients lose
 //! some of it on ill-conditioned systems, and the tests ask that E never rises.)
 //!
+//! (8) speaks of the rotations that the step has frozen. Fitting them anew afterwards feeds a body a little
+//! energy, of fourth order in the angle it turns in a step, which a solve has to take back; so keep v(t)
+//! in W (`galerkin-1` or more), and where bodies are stiff, take a preconditioner that reaches them.
+//!
+//! Preconditioners ([`preconditioner`]) go from A's diagonal, which needs nothing and suits soft bodies, to a
+//! factor of the matrix at rest that is made once on a host and turned with the body, which leaves
+//! one or two iterations of work however stiff it is.
+//!
 //! Pins and contact with colliders are one projection per node ([`constraint`]).
 //!
 //! # The step as a pipeline

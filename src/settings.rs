@@ -34,7 +34,8 @@ pub enum Start {
     /// From v(t) + hM⁻¹f. Unstable where bodies are stiff; here for comparison.
     VelocityForce,
     /// W = the last so many velocities, v(t) the first, and the translations of a free body. Energy-stable;
-    /// linear momentum is exact.
+    /// linear momentum is exact. Without v(t), `Galerkin(0)`, what a body has stored is not seen by a
+    /// truncated solve, and energy can build up over the steps.
     Galerkin(u8),
     /// As `Galerkin`, and the three rotations about the centre of mass (of the pinned nodes, where a
     /// body is held). Costs three applications more.
