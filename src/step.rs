@@ -295,7 +295,7 @@ pub fn step<R: Lanes, L: Layout>(
         return StepReport::refused(Refusal::OutOfRange);
     }
     commit(state, work);
-    fit_rotations::<R, L>(
+    fit_rotations::<R::Wide, L>(
         rest,
         state.x,
         Fit::Warm(settings.budget.polar_sweeps),

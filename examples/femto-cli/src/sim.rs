@@ -10,6 +10,8 @@ use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::blocks;
 use femto::material::{Material, MaterialError};
+use femto::mesh::MeshError;
+use femto::order::fans;
 use femto::owned::{OwnedBody, OwnedState};
 use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
 use femto::step::{Scene as StepScene, StepReport};
@@ -316,8 +318,18 @@ fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>
             (key, format!("{value:?}"), e.to_string())
         })?;
     let mesh = |e: &dyn std::fmt::Display| ("mesh", body.source.clone(), e.to_string());
-    let checked = femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
-    let mut built = OwnedBody::<L>::new(&checked, &material, start).map_err(|e| mesh(&e))?;
+    femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
+    let ordered = fans(&body.tets);
+    let checked = femto::mesh::Mesh::new(&body.rest, &ordered.tets).map_err(|e| mesh(&e))?;
+    let mut built = OwnedBody::<L>::new(&checked, &material, start).map_err(|e| match e {
+        MeshError::OutOfScale { tet } => mesh(&MeshError::OutOfScale {
+            tet: ordered
+                .original
+                .get(tet as usize)
+                .map_or(tet, |&t| t as u32),
+        }),
+        _ => mesh(&e),
+    })?;
     built.place(&body.x, &body.v).map_err(|e| mesh(&e))?;
     Ok(Box::new(built))
 }
