@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo run --release -p femto-bench [-- --quick] [--check]
-//! RUSTFLAGS="-C target-feature=+avx2" cargo run --release -p femto-bench
+//! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release -p femto-bench
 //! ```
 //!
 //! `--quick` takes a few seconds; with `--check` the exit code is 1 where a target is missed.
