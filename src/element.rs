@@ -28,13 +28,14 @@ use crate::algebra::{
     zero3,
 };
 use crate::lane::{BLOCK, Lanes, Real};
+use crate::preconditioner::fold::Fold;
 use crate::rest::TetBlock;
 
 /// Symmetric 3×3 matrix: xx, xy, xz, yy, yz, zz.
 pub type Sym3<R> = [R; 6];
 
 /// How a tetrahedron's rotated stiffness is stored and applied.
-pub trait Layout: Sized + 'static {
+pub trait Layout: Fold + Sized + 'static {
     /// What the layout keeps per block of eight at rest, besides [`TetBlock`].
     type Stiffness: Copy + core::fmt::Debug + 'static;
     /// What it writes per block each step.
@@ -129,7 +130,7 @@ fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// S = λ tr(H) I + μ (H + Hᵀ)
 #[inline(always)]
-fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
+pub(crate) fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
     let pressure = lambda * (h[0][0] + h[1][1] + h[2][2]);
     let twice = mu + mu;
     let [xx, yy, zz] = each3([0, 1, 2], |a| pressure + twice * h[a][a]);
@@ -139,7 +140,7 @@ fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
 
 /// The fourth corner balances the other three.
 #[inline(always)]
-fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
+pub(crate) fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
     [neg3(&add3(&add3(&f[0], &f[1]), &f[2])), f[0], f[1], f[2]]
 }
 
@@ -154,7 +155,7 @@ pub struct RotatedGradients([[[f32; BLOCK]; 3]; 3]);
 
 impl RotatedGradients {
     #[inline(always)]
-    fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
+    pub(crate) fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
         core::array::from_fn(|j| core::array::from_fn(|a| R::load(&self.0[j][a], at)))
     }
 }

@@ -139,7 +139,8 @@ impl Step {
     }
 
     fn solver<'a>(&'a self, start: Start, preconditioner: Preconditioner<'a>) -> Solver<'a> {
-        let body = self.setup.body(start);
+        let settings = self.setup.solver(start, preconditioner, 0);
+        let body = self.setup.body(&settings);
         Solver {
             step: self,
             body,
