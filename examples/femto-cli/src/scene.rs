@@ -38,6 +38,7 @@ pub enum Preconditioner {
     Mass,
     Jacobi,
     BlockJacobi,
+    TwoLevel,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -271,8 +272,9 @@ impl Checker<'_> {
             "mass" => return Ok(Preconditioner::Mass),
             "jacobi" => return Ok(Preconditioner::Jacobi),
             "block-jacobi" => return Ok(Preconditioner::BlockJacobi),
-            "two-level" | "laplacian" | "warped" => {
-                "not available in this version; use identity, mass, jacobi or block-jacobi"
+            "two-level" => return Ok(Preconditioner::TwoLevel),
+            "laplacian" | "warped" => {
+                "not available in this version; use identity, mass, jacobi, block-jacobi or two-level"
             }
             _ => "must be identity, mass, jacobi, block-jacobi, two-level, laplacian or warped",
         };

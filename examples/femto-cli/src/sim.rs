@@ -12,8 +12,9 @@ use femto::lane::blocks;
 use femto::material::{Material, MaterialError};
 use femto::mesh::MeshError;
 use femto::order::fans;
-use femto::owned::{OwnedBody, OwnedState};
-use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
+use femto::owned::{OwnedBody, OwnedRest, OwnedState};
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
+use femto::settings::{Budget, Needs, Preconditioner, Settings, SettingsError, Start};
 use femto::step::{Scene as StepScene, StepReport};
 use serde::Serialize;
 
@@ -37,6 +38,20 @@ pub struct Sim {
 struct Body {
     kind: Kind,
     pins: Vec<Pin>,
+    /// The aggregate of each node, for the two-level preconditioner.
+    aggregates: Option<Vec<u8>>,
+}
+
+impl Body {
+    /// The scene's settings with what is this body's own of the preconditioner.
+    fn settings<'a>(settings: &Settings<'static>, aggregates: Option<&'a [u8]>) -> Settings<'a> {
+        let settings: Settings<'a> = *settings;
+        let own = aggregates.map(|of| {
+            let aggregates = Aggregates::new(of, DEFAULT_AGGREGATES);
+            Preconditioner::TwoLevel(aggregates.expect("made by the library"))
+        });
+        settings.with_preconditioner(own.unwrap_or(settings.preconditioner))
+    }
 }
 
 enum Kind {
@@ -111,12 +126,18 @@ impl Sim {
         })?;
         let mut bodies = Vec::new();
         for (i, body) in scene.bodies.iter().enumerate() {
-            let kind = match scene.layout {
-                scene::Layout::Factored => build(body, settings.start).map(Kind::Factored),
-                scene::Layout::Dense => build(body, settings.start).map(Kind::Dense),
+            let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
+            let mut aggregates = aggregated.then(|| vec![0; body.rest.len()]);
+            let built = match scene.layout {
+                scene::Layout::Factored => {
+                    build(body, &settings, aggregates.as_deref_mut()).map(Kind::Factored)
+                }
+                scene::Layout::Dense => {
+                    build(body, &settings, aggregates.as_deref_mut()).map(Kind::Dense)
+                }
             };
-            let kind =
-                kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
+            let kind = built
+                .map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
             let pin = |&(node, v): &(u32, [f32; 3])| Pin {
                 node,
                 velocity: Vec3::from_array(v),
@@ -124,6 +145,7 @@ impl Sim {
             bodies.push(Body {
                 kind,
                 pins: body.pins.iter().map(pin).collect(),
+                aggregates,
             });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
@@ -193,9 +215,10 @@ impl Sim {
                     pins: &body.pins,
                     colliders: &colliders,
                 };
+                let settings = Body::settings(&self.settings, body.aggregates.as_deref());
                 let begin = Instant::now();
                 let report: StepReport =
-                    with!(&mut body.kind, body => body.step(&scene, &self.settings));
+                    with!(&mut body.kind, body => body.step(&scene, &settings));
                 info.took += begin.elapsed();
                 if let Some(refusal) = report.refusal {
                     return Err(match (self.bodies.len(), self.substeps) {
@@ -265,8 +288,9 @@ impl Sim {
     pub fn memory(&self) -> Memory {
         let mut sum = Memory::default();
         for body in &self.bodies {
-            let start = self.settings.start;
-            let one = with!(&body.kind, body => memory_of(body, start));
+            let settings = Body::settings(&self.settings, body.aggregates.as_deref());
+            let needs = Needs::from(&settings);
+            let one = with!(&body.kind, body => memory_of(body, needs));
             sum.rest += one.rest;
             sum.state += one.state;
             sum.workspace = sum.workspace.max(one.workspace);
@@ -288,6 +312,8 @@ fn settings(scene: &Scene) -> Result<Settings<'static>, SettingsError> {
         scene::Preconditioner::Mass => Preconditioner::Mass,
         scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
         scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
+        // With aggregates, body by body: see [`Body::settings`].
+        scene::Preconditioner::TwoLevel => Preconditioner::BlockJacobi,
     };
     let budget = Budget {
         iterations: scene.budget.iterations,
@@ -303,7 +329,11 @@ fn settings(scene: &Scene) -> Result<Settings<'static>, SettingsError> {
 /// The key of the body that is wrong, its value, and why.
 type Wrong = (&'static str, String, String);
 
-fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>>, Wrong> {
+fn build<L: Layout>(
+    body: &scene::Body,
+    settings: &Settings<'static>,
+    aggregates: Option<&mut [u8]>,
+) -> Result<Box<OwnedBody<L>>, Wrong> {
     let material = Material::new(body.young, body.poisson, body.density)
         .and_then(|m| m.with_damping(body.alpha, body.beta))
         .map_err(|e| {
@@ -321,7 +351,7 @@ fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>
     femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
     let ordered = fans(&body.tets);
     let checked = femto::mesh::Mesh::new(&body.rest, &ordered.tets).map_err(|e| mesh(&e))?;
-    let mut built = OwnedBody::<L>::new(&checked, &material, start).map_err(|e| match e {
+    let rest = OwnedRest::<L>::new(&checked, &material).map_err(|e| match e {
         MeshError::OutOfScale { tet } => mesh(&MeshError::OutOfScale {
             tet: ordered
                 .original
@@ -330,6 +360,14 @@ fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>
         }),
         _ => mesh(&e),
     })?;
+    let needs = match aggregates {
+        Some(of) => {
+            Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, of).map_err(|e| mesh(&e))?;
+            Needs::from(&Body::settings(settings, Some(of)))
+        }
+        None => Needs::from(settings),
+    };
+    let mut built = OwnedBody::from_rest(rest, needs);
     built.place(&body.x, &body.v).map_err(|e| mesh(&e))?;
     Ok(Box::new(built))
 }
@@ -352,25 +390,26 @@ fn collider_at(collider: &Collider, time: f64) -> Result<collider::Collider, Col
         .with_velocity(velocity)
 }
 
-fn memory_of<L: Layout>(body: &OwnedBody<L>, start: Start) -> Memory {
+fn memory_of<L: Layout>(body: &OwnedBody<L>, needs: Needs) -> Memory {
     let rest = body.rest();
-    needed::<L>(rest.nodes.len(), rest.header.tets as usize, start)
+    needed::<L>(rest.nodes.len(), rest.header.tets as usize, needs)
 }
 
-fn needed<L: Layout>(nodes: usize, tets: usize, start: Start) -> Memory {
+fn needed<L: Layout>(nodes: usize, tets: usize, needs: Needs) -> Memory {
     let blocks = blocks(tets);
     Memory {
         rest: rest_bytes::<L>(nodes, blocks),
-        state: state_bytes(nodes, blocks, start.history()),
-        workspace: workspace_bytes::<L>(nodes, blocks, start.vectors()),
+        state: state_bytes(nodes, blocks, needs.history),
+        workspace: workspace_bytes::<L>(nodes, blocks, needs.vectors)
+            + needs.coarse * size_of::<f32>(),
     }
 }
 
 /// What a body of this size takes with the default start, factored and dense.
 pub fn memory_of_mesh(nodes: usize, tets: usize) -> [Memory; 2] {
-    let start = Start::default();
+    let needs = Needs::from(Start::default());
     [
-        needed::<Factored>(nodes, tets, start),
-        needed::<Dense>(nodes, tets, start),
+        needed::<Factored>(nodes, tets, needs),
+        needed::<Dense>(nodes, tets, needs),
     ]
 }
