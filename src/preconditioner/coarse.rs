@@ -22,6 +22,9 @@
 //! pivot has sunk to rounding (an aggregate of one node cannot turn): the pivot's inverse and its column of L become
 //! zero. Whatever the numbers in L, the sum is symmetric positive semidefinite, since both triangular solves
 //! read the same ones.
+//!
+//! Measured on a cantilever in closed loop (the README has the figures): aggregates that leave pinned nodes out
+//! are no better than those which the filter's part has to hold; nor are weights other than 1 on the coarse half.
 
 use super::aggregate::{Aggregates, MAX_AGGREGATES, NONE};
 use super::fold::{Group, MODES, cross, motion, restricted};

@@ -75,7 +75,7 @@ pub trait Fold: Sized {
         Self: Layout;
 }
 
-/// With Σ over the corners j of a group, H = Σ u_j G_jᵀ is e gᵀ of a translation, g = Σ G_j, and [e]× M of a
+/// With Σ over the corners j of a group, H = Σ u_j G_jᵀ is e gᵀ of a translation, g = Σ G_j, and e × M of a
 /// rotation, M = Σ d_j G_jᵀ; force and torque are S g and Σ_c M_c × S_c over columns c. Twelve numbers a group,
 /// and a third of the work of a product for each motion.
 impl Fold for Factored {

@@ -41,7 +41,7 @@ pub enum Preconditioner<'a> {
     BlockJacobi,
     /// A factor of the rest matrix: *warped* where it is of 3×3 blocks, *Laplacian* where it is of numbers.
     Factored(&'a Factor<'a>),
-    /// Two-level: block Jacobi, and the rigid motions of aggregates.
+    /// Two-level: block Jacobi, and a solve in the rigid motions of aggregates ([`coarse`]).
     TwoLevel(Aggregates<'a>),
 }
 
@@ -164,7 +164,7 @@ impl<'a> Prepared<'a> {
         self.filter
     }
 
-    /// Whether an application costs little beside one of A.
+    /// Whether an application costs little beside one of A (two-level: a third at most, from 3 k tetrahedra on).
     pub(crate) fn is_cheap(&self) -> bool {
         !matches!(self.preconditioner, Preconditioner::Factored(_))
     }
