@@ -166,6 +166,7 @@ fn lines(case: &Case) -> Vec<(String, Vec<f64>)> {
     let preconditioners = [
         ("Jacobi", Preconditioner::Jacobi),
         ("block Jacobi", Preconditioner::BlockJacobi),
+        ("two-level", setup.two_level(8)),
         (
             "Laplacian",
             Preconditioner::Factored(factor(setup, Kind::Laplacian, Precision::Single)),
@@ -181,7 +182,8 @@ fn lines(case: &Case) -> Vec<(String, Vec<f64>)> {
         ),
     ];
     let history = Start::Galerkin(2);
-    let mut body: OwnedBody = setup.body::<Factored>(history);
+    let needs = setup.solver(history, setup.two_level(8), 1);
+    let mut body: OwnedBody = setup.body::<Factored>(&needs);
     for _ in 0..case.steps {
         let converged = setup.solver(history, warped, 100);
         assert!(body.step(&scene, &converged).advanced());
