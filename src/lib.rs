@@ -98,6 +98,7 @@ extern crate alloc;
 pub use glam;
 
 mod algebra;
+pub mod asset;
 pub mod body;
 mod cg;
 pub mod collider;
@@ -123,6 +124,7 @@ pub mod step;
 pub mod vector;
 pub mod workspace;
 
+pub use asset::{Asset, AssetError};
 pub use body::Body;
 pub use collider::Collider;
 pub use constraint::Pin;
