@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::error::Error;
 use crate::info::thousands;
 use crate::mesh::{Mesh, gmsh};
+use crate::prepare::Factors;
 use crate::run;
 use crate::scene::{self, Meshes, Scene};
 use crate::sim::{Energies, Sim};
@@ -30,7 +31,8 @@ impl Meshes for BuiltIn {
 /// Returns the exit status, 0 or 3.
 pub fn command() -> Result<u8, Error> {
     let scene = scene::parse("snowman.toml", SCENE, &mut BuiltIn)?;
-    let mut sim = Sim::new(&scene)?;
+    let factors = Factors::new(&scene)?;
+    let mut sim = Sim::new(&scene, &factors)?;
     let mut track = Vec::new();
     let summary = run::run(&scene, &mut sim, Path::new(OUT), &[], false, |sim| {
         track.push(sim.positions(0).to_vec());
@@ -43,7 +45,7 @@ pub fn command() -> Result<u8, Error> {
         );
         return Ok(3);
     }
-    let error = error_against_converged(&scene, &track)?;
+    let error = error_against_converged(&scene, &factors, &track)?;
     crate::print(&describe(&scene, &sim, &summary, error));
     Ok(0)
 }
@@ -52,12 +54,13 @@ pub fn command() -> Result<u8, Error> {
 /// rest shape: mean over the steps, and after the last.
 fn error_against_converged(
     scene: &Scene,
+    factors: &Factors,
     track: &[Vec<[f32; 3]>],
 ) -> Result<Option<(f64, f64)>, Error> {
     let mut converged = scene.clone();
     converged.budget.iterations = CONVERGED;
     converged.budget.polar_sweeps = CONVERGED_SWEEPS;
-    let mut sim = Sim::new(&converged)?;
+    let mut sim = Sim::new(&converged, factors)?;
     let rest = &scene.bodies[0].rest;
     let low = rest.iter().fold([f32::INFINITY; 3], |a, b| {
         std::array::from_fn(|i| a[i].min(b[i]))

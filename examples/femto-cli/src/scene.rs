@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
+use femto_bake::Kind;
 use glam::DVec3;
 
 use crate::error::Error;
@@ -38,6 +39,8 @@ pub enum Preconditioner {
     Mass,
     Jacobi,
     BlockJacobi,
+    /// A factor of the rest matrix, made when the scene is loaded.
+    Factored(Kind),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,7 +140,11 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
 }
 
 pub fn parse(name: &str, text: &str, meshes: &mut dyn Meshes) -> Result<Scene, Error> {
-    let raw = file::parse(name, text)?;
+    check(name, file::parse(name, text)?, meshes)
+}
+
+/// Checks a scene that was read, or put together otherwise; `name` is its name for messages.
+pub fn check(name: &str, raw: SceneFile, meshes: &mut dyn Meshes) -> Result<Scene, Error> {
     Checker { file: name }.scene(raw, meshes)
 }
 
@@ -271,9 +278,9 @@ impl Checker<'_> {
             "mass" => return Ok(Preconditioner::Mass),
             "jacobi" => return Ok(Preconditioner::Jacobi),
             "block-jacobi" => return Ok(Preconditioner::BlockJacobi),
-            "two-level" | "laplacian" | "warped" => {
-                "not available in this version; use identity, mass, jacobi or block-jacobi"
-            }
+            "laplacian" => return Ok(Preconditioner::Factored(Kind::Laplacian)),
+            "warped" => return Ok(Preconditioner::Factored(Kind::Warped)),
+            "two-level" => "not available in this version; use block-jacobi, laplacian or warped",
             _ => "must be identity, mass, jacobi, block-jacobi, two-level, laplacian or warped",
         };
         Err(self.wrong("solver.preconditioner", &name, why))

@@ -9,18 +9,20 @@ use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::blocks;
-use femto::material::{Material, MaterialError};
 use femto::owned::{OwnedBody, OwnedState};
-use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
+use femto::preconditioner::Factor;
+use femto::settings::{Preconditioner, Settings, Start};
 use femto::step::{Scene as StepScene, StepReport};
+use femto_bake::OwnedFactor;
 use serde::Serialize;
 
 use crate::error::Error;
+use crate::prepare::{self, Factors};
 use crate::scene::{self, Collider, Scene, Shape};
 
 /// The step by step life of a scene.
-pub struct Sim {
-    bodies: Vec<Body>,
+pub struct Sim<'a> {
+    bodies: Vec<Body<'a>>,
     gravity: Vec3,
     settings: Settings<'static>,
     substeps: u32,
@@ -32,9 +34,10 @@ pub struct Sim {
 }
 
 /// One body in one of the two layouts.
-struct Body {
+struct Body<'a> {
     kind: Kind,
     pins: Vec<Pin>,
+    factor: Option<Factor<'a>>,
 }
 
 enum Kind {
@@ -88,33 +91,34 @@ pub struct StepInfo {
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Memory {
     pub rest: usize,
+    pub factor: usize,
     pub state: usize,
     pub workspace: usize,
 }
 
-impl Sim {
-    pub fn new(scene: &Scene) -> Result<Self, Error> {
+impl<'a> Sim<'a> {
+    pub fn new(scene: &Scene, factors: &'a Factors) -> Result<Self, Error> {
         let wrong = |key: &str, value: String, why: String| Error::Value {
             file: scene.file.clone(),
             key: key.into(),
             value,
             why,
         };
-        let settings = settings(scene).map_err(|e| {
-            let key = match e {
-                SettingsError::Theta(_) => "time.theta",
-                _ => "time.dt / budget.substeps",
-            };
-            wrong(key, format!("{:?}", scene.substep), e.to_string())
-        })?;
+        let settings = prepare::settings(scene)?;
         let mut bodies = Vec::new();
-        for (i, body) in scene.bodies.iter().enumerate() {
-            let kind = match scene.layout {
-                scene::Layout::Factored => build(body, settings.start).map(Kind::Factored),
-                scene::Layout::Dense => build(body, settings.start).map(Kind::Dense),
+        for (i, (body, factor)) in scene.bodies.iter().zip(&factors.0).enumerate() {
+            let start = settings.start;
+            let mut kind = match scene.layout {
+                scene::Layout::Factored => Kind::Factored(built(scene, i, start)?),
+                scene::Layout::Dense => Kind::Dense(built(scene, i, start)?),
             };
-            let kind =
-                kind.map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
+            with!(&mut kind, built => built.place(&body.x, &body.v)).map_err(|e| {
+                wrong(
+                    &format!("body[{i}].mesh"),
+                    body.source.clone(),
+                    e.to_string(),
+                )
+            })?;
             let pin = |&(node, v): &(u32, [f32; 3])| Pin {
                 node,
                 velocity: Vec3::from_array(v),
@@ -122,6 +126,7 @@ impl Sim {
             bodies.push(Body {
                 kind,
                 pins: body.pins.iter().map(pin).collect(),
+                factor: factor.as_ref().map(OwnedFactor::view),
             });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
@@ -192,8 +197,12 @@ impl Sim {
                     colliders: &colliders,
                 };
                 let begin = Instant::now();
+                let mut settings: Settings<'_> = self.settings;
+                if let Some(factor) = &body.factor {
+                    settings = settings.with_preconditioner(Preconditioner::Factored(factor));
+                }
                 let report: StepReport =
-                    with!(&mut body.kind, body => body.step(&scene, &self.settings));
+                    with!(&mut body.kind, body => body.step(&scene, &settings));
                 info.took += begin.elapsed();
                 if let Some(refusal) = report.refusal {
                     return Err(match (self.bodies.len(), self.substeps) {
@@ -266,6 +275,7 @@ impl Sim {
             let start = self.settings.start;
             let one = with!(&body.kind, body => memory_of(body, start));
             sum.rest += one.rest;
+            sum.factor += body.factor.as_ref().map_or(0, Factor::bytes);
             sum.state += one.state;
             sum.workspace = sum.workspace.max(one.workspace);
         }
@@ -273,53 +283,9 @@ impl Sim {
     }
 }
 
-fn settings(scene: &Scene) -> Result<Settings<'static>, SettingsError> {
-    let start = match scene.start {
-        scene::Start::Zero => Start::Zero,
-        scene::Start::Velocity => Start::Velocity,
-        scene::Start::VelocityForce => Start::VelocityForce,
-        scene::Start::Galerkin(m) => Start::Galerkin(m),
-        scene::Start::Rigid(m) => Start::Rigid(m),
-    };
-    let preconditioner = match scene.preconditioner {
-        scene::Preconditioner::Identity => Preconditioner::Identity,
-        scene::Preconditioner::Mass => Preconditioner::Mass,
-        scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
-        scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
-    };
-    let budget = Budget {
-        iterations: scene.budget.iterations,
-        polar_sweeps: scene.budget.polar_sweeps,
-    };
-    let settings = Settings::new(scene.substep as f32)?.with_theta(scene.theta)?;
-    Ok(settings
-        .with_budget(budget)
-        .with_start(start)
-        .with_preconditioner(preconditioner))
-}
-
-/// The key of the body that is wrong, its value, and why.
-type Wrong = (&'static str, String, String);
-
-fn build<L: Layout>(body: &scene::Body, start: Start) -> Result<Box<OwnedBody<L>>, Wrong> {
-    let material = Material::new(body.young, body.poisson, body.density)
-        .and_then(|m| m.with_damping(body.alpha, body.beta))
-        .map_err(|e| {
-            let (key, value) = match e {
-                MaterialError::Young(x) => ("young", x),
-                MaterialError::Poisson(x) => ("poisson", x),
-                MaterialError::Alpha(x) => ("alpha", x),
-                MaterialError::Beta(x) => ("beta", x),
-                MaterialError::Density(x) => ("density", x),
-                _ => ("young", body.young),
-            };
-            (key, format!("{value:?}"), e.to_string())
-        })?;
-    let mesh = |e: &dyn std::fmt::Display| ("mesh", body.source.clone(), e.to_string());
-    let checked = femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
-    let mut built = OwnedBody::<L>::new(&checked, &material, start).map_err(|e| mesh(&e))?;
-    built.place(&body.x, &body.v).map_err(|e| mesh(&e))?;
-    Ok(Box::new(built))
+fn built<L: Layout>(scene: &Scene, body: usize, start: Start) -> Result<Box<OwnedBody<L>>, Error> {
+    let rest = prepare::rest(scene, body)?;
+    Ok(Box::new(OwnedBody::from_rest(rest, start)))
 }
 
 /// Where a collider is at a time; `substep` of a moving one goes on from there.
@@ -349,6 +315,7 @@ fn needed<L: Layout>(nodes: usize, tets: usize, start: Start) -> Memory {
     let blocks = blocks(tets);
     Memory {
         rest: rest_bytes::<L>(nodes, blocks),
+        factor: 0,
         state: state_bytes(nodes, blocks, start.history()),
         workspace: workspace_bytes::<L>(nodes, blocks, start.vectors()),
     }
