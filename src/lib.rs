@@ -80,7 +80,8 @@
 //! ```
 //!
 //! With the feature `alloc`, `OwnedBody` is the same for meshes known at run time. Where everything
-//! lives, and how rest data and workspace are shared by several bodies: [`body`].
+//! lives, and how rest data and workspace are shared by several bodies: [`body`]. Bodies that are baked on a
+//! host, with a factor of their matrix, and read in place from flash: [`asset`].
 //!
 //! # Limits
 //!

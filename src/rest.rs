@@ -95,7 +95,7 @@ impl<L: Layout> Rest<'_, L> {
     pub fn tets(&self) -> impl Iterator<Item = [u32; 4]> {
         let lanes = |block: &TetBlock| {
             let corners = block.corners;
-            (0..BLOCK).map(move |lane| corners.map(|corner| corner[lane]))
+            (0..BLOCK).map(move |lane| corners.map(|corner| corner[lane % BLOCK]))
         };
         let all = self.blocks.iter().flat_map(lanes);
         all.take(self.header.tets as usize)

@@ -114,10 +114,10 @@ struct Tet {
 impl Tet {
     fn of(block: &TetBlock, lane: usize) -> Self {
         Self {
-            corners: block.corners.map(|corner| corner[lane]),
-            gradients: block.gradients.map(|g| g.map(|axis| axis[lane])),
-            lambda_v: block.lambda_v[lane],
-            mu_v: block.mu_v[lane],
+            corners: block.corners.map(|corner| corner[lane % BLOCK]),
+            gradients: block.gradients.map(|g| g.map(|axis| axis[lane % BLOCK])),
+            lambda_v: block.lambda_v[lane % BLOCK],
+            mu_v: block.mu_v[lane % BLOCK],
         }
     }
 
