@@ -8,6 +8,17 @@ pub(crate) fn zero3<R: Real>() -> [R; 3] {
     [R::splat(0.0); 3]
 }
 
+/// `f` of each. (`map` of arrays is not always inlined, and then passes vectors through memory.)
+#[inline(always)]
+pub(crate) fn each3<T, U>([a, b, c]: [T; 3], f: impl Fn(T) -> U) -> [U; 3] {
+    [f(a), f(b), f(c)]
+}
+
+#[inline(always)]
+pub(crate) fn each4<T, U>([a, b, c, d]: [T; 4], f: impl Fn(T) -> U) -> [U; 4] {
+    [f(a), f(b), f(c), f(d)]
+}
+
 #[inline(always)]
 pub(crate) fn dot3<R: Real>(a: &[R; 3], b: &[R; 3]) -> R {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -94,21 +94,28 @@ pub struct Body<
     const HISTORY: usize = 0,
     const VECTORS: usize = 1,
     L: Layout = Factored,
+    const COARSE: usize = 0,
 > {
     rest: RestBuffer<NODES, BLOCKS, L>,
     state: State<NODES, BLOCKS, HISTORY>,
-    workspace: Workspace<NODES, BLOCKS, VECTORS, L>,
+    workspace: Workspace<NODES, BLOCKS, VECTORS, L, COARSE>,
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTORS: usize, L: Layout>
-    Body<NODES, BLOCKS, HISTORY, VECTORS, L>
+impl<
+    const NODES: usize,
+    const BLOCKS: usize,
+    const HISTORY: usize,
+    const VECTORS: usize,
+    L: Layout,
+    const COARSE: usize,
+> Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE>
 {
     /// Bytes of the rest data, capacity included.
     pub const REST_BYTES: usize = size_of::<RestBuffer<NODES, BLOCKS, L>>();
     /// Bytes of the state.
     pub const STATE_BYTES: usize = size_of::<State<NODES, BLOCKS, HISTORY>>();
     /// Bytes of the workspace.
-    pub const WORKSPACE_BYTES: usize = size_of::<Workspace<NODES, BLOCKS, VECTORS, L>>();
+    pub const WORKSPACE_BYTES: usize = size_of::<Workspace<NODES, BLOCKS, VECTORS, L, COARSE>>();
 
     /// No mesh yet. All bits zero, so that a `static` costs no flash.
     #[must_use]
@@ -153,8 +160,14 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTOR
     body_methods!();
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const VECTORS: usize, L: Layout>
-    Default for Body<NODES, BLOCKS, HISTORY, VECTORS, L>
+impl<
+    const NODES: usize,
+    const BLOCKS: usize,
+    const HISTORY: usize,
+    const VECTORS: usize,
+    L: Layout,
+    const COARSE: usize,
+> Default for Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE>
 {
     fn default() -> Self {
         Self::new()

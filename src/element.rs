@@ -24,16 +24,18 @@
 //! frozen rotations, as in every corotated method: σ and S do not commute.)
 
 use crate::algebra::{
-    add3, dot3, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose, zero3,
+    add3, dot3, each3, each4, mul_mat, mul_transposed_vec, mul_vec, neg3, scale3, sub3, transpose,
+    zero3,
 };
 use crate::lane::{BLOCK, Lanes, Real};
+use crate::preconditioner::fold::Fold;
 use crate::rest::TetBlock;
 
 /// Symmetric 3×3 matrix: xx, xy, xz, yy, yz, zz.
 pub type Sym3<R> = [R; 6];
 
 /// How a tetrahedron's rotated stiffness is stored and applied.
-pub trait Layout: Sized + 'static {
+pub trait Layout: Fold + Sized + 'static {
     /// What the layout keeps per block of eight at rest, besides [`TetBlock`].
     type Stiffness: Copy + core::fmt::Debug + 'static;
     /// What it writes per block each step.
@@ -46,23 +48,24 @@ pub trait Layout: Sized + 'static {
     /// Rest stiffness of the isotropic material that the block holds.
     fn isotropic(tet: &TetBlock) -> Self::Stiffness;
 
-    /// Writes the rotated blocks of lanes `at..` and returns the elastic forces on the four
-    /// corners, in newtons. `unit` (metres, a power of two) makes the blocks dimensionless in length.
+    /// Writes the rotated blocks of lanes `at..` and returns the elastic forces on corners 1, 2, 3, in
+    /// newtons; corner 0 balances them. `unit` (metres, a power of two) makes the blocks dimensionless in length.
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
         unit: R,
         rotated: &mut Self::Rotated,
-    ) -> [[R; 3]; 4];
+    ) -> [[R; 3]; 3];
 
-    /// Multiplies with the rotated blocks: `scale` · K u, `[corner][axis]`.
+    /// Multiplies with the rotated blocks: `scale` · K u at corners 1, 2, 3, `[corner − 1][axis]`, given
+    /// the edges u_j − u_0; corner 0 balances them.
     fn product<R: Lanes>(
         tet: &TetBlock,
         rotated: &Self::Rotated,
         at: usize,
         scale: R,
-        u: &[[R; 3]; 4],
-    ) -> [[R; 3]; 4];
+        edges: &[[R; 3]; 3],
+    ) -> [[R; 3]; 3];
 
     /// The four diagonal blocks of `scale` · K.
     fn diagonal<R: Lanes>(
@@ -127,16 +130,17 @@ fn strain<R: Real>(b: &[[R; 3]; 3]) -> [[R; 3]; 3] {
 
 /// S = λ tr(H) I + μ (H + Hᵀ)
 #[inline(always)]
-fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
+pub(crate) fn stress<R: Real>(h: &[[R; 3]; 3], lambda: R, mu: R) -> [[R; 3]; 3] {
     let pressure = lambda * (h[0][0] + h[1][1] + h[2][2]);
-    let [xx, yy, zz] = [0, 1, 2].map(|a| pressure + mu * (h[a][a] + h[a][a]));
-    let [xy, xz, yz] = [(0, 1), (0, 2), (1, 2)].map(|(a, b)| mu * (h[a][b] + h[b][a]));
+    let twice = mu + mu;
+    let [xx, yy, zz] = each3([0, 1, 2], |a| pressure + twice * h[a][a]);
+    let [xy, xz, yz] = each3([(0, 1), (0, 2), (1, 2)], |(a, b)| mu * (h[a][b] + h[b][a]));
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
 /// The fourth corner balances the other three.
 #[inline(always)]
-fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
+pub(crate) fn balanced<R: Real>(f: [[R; 3]; 3]) -> [[R; 3]; 4] {
     [neg3(&add3(&add3(&f[0], &f[1]), &f[2])), f[0], f[1], f[2]]
 }
 
@@ -151,7 +155,7 @@ pub struct RotatedGradients([[[f32; BLOCK]; 3]; 3]);
 
 impl RotatedGradients {
     #[inline(always)]
-    fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
+    pub(crate) fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
         core::array::from_fn(|j| core::array::from_fn(|a| R::load(&self.0[j][a], at)))
     }
 }
@@ -170,8 +174,8 @@ impl Layout for Factored {
         q: &[[R; 3]; 3],
         unit: R,
         rotated: &mut Self::Rotated,
-    ) -> [[R; 3]; 4] {
-        let g = gradients::<R>(bite.tet, bite.at).map(|g| mul_vec(q, &g)); // G = Q g
+    ) -> [[R; 3]; 3] {
+        let g = each3(gradients::<R>(bite.tet, bite.at), |g| mul_vec(q, &g)); // G = Q g
         for (g, out) in g.iter().zip(&mut rotated.0) {
             for (g, out) in scale3(g, unit).iter().zip(out) {
                 g.store(out, bite.at);
@@ -185,7 +189,7 @@ impl Layout for Factored {
         let lambda = R::load(&bite.tet.lambda_v, bite.at);
         let mu = R::load(&bite.tet.mu_v, bite.at);
         let s = stress(&h, lambda, mu);
-        balanced(g.map(|g| neg3(&mul_vec(&s, &g))))
+        each3(g, |g| neg3(&mul_vec(&s, &g)))
     }
 
     #[inline(always)]
@@ -194,14 +198,14 @@ impl Layout for Factored {
         rotated: &Self::Rotated,
         at: usize,
         scale: R,
-        u: &[[R; 3]; 4],
-    ) -> [[R; 3]; 4] {
+        edges: &[[R; 3]; 3],
+    ) -> [[R; 3]; 3] {
         let g = rotated.load::<R>(at);
-        let h = deformation(&edges(u), &g); // H = Σ (u_j − u_0) G_jᵀ
+        let h = deformation(edges, &g); // H = Σ (u_j − u_0) G_jᵀ
         let lambda = scale * R::load(&tet.lambda_v, at);
         let mu = scale * R::load(&tet.mu_v, at);
         let s = stress(&h, lambda, mu);
-        balanced(g.map(|g| mul_vec(&s, &g))) // (K u)_i = S G_i
+        each3(g, |g| mul_vec(&s, &g)) // (K u)_i = S G_i
     }
 
     #[inline(always)]
@@ -215,7 +219,7 @@ impl Layout for Factored {
         let mu = scale * R::load(&tet.mu_v, at);
         let both = mu + scale * R::load(&tet.lambda_v, at);
         // K_ii = (λ + μ)V G Gᵀ + μV |G|² I
-        g.map(|g| {
+        each4(g, |g| {
             let isotropic = mu * dot3(&g, &g);
             let w = scale3(&g, both);
             [
@@ -308,7 +312,7 @@ impl Layout for Dense {
         q: &[[R; 3]; 3],
         unit: R,
         rotated: &mut Self::Rotated,
-    ) -> [[R; 3]; 4] {
+    ) -> [[R; 3]; 3] {
         let square = unit * unit;
         for pair in 0..PAIRS.len() {
             // K_ij = Q K⁰_ij Qᵀ
@@ -322,7 +326,8 @@ impl Layout for Dense {
         }
         // f = −Q K⁰ d with the unrotated displacement d = Qᵀx − X, relative to corner 0
         let d = displacement(bite, q);
-        pairwise(&d, |pair| bite.stiffness.load(pair, bite.at)).map(|f| neg3(&mul_vec(q, &f)))
+        let [_, a, b, c] = pairwise(&d, |pair| bite.stiffness.load(pair, bite.at));
+        each3([a, b, c], |f| neg3(&mul_vec(q, &f)))
     }
 
     #[inline(always)]
@@ -331,9 +336,11 @@ impl Layout for Dense {
         rotated: &Self::Rotated,
         at: usize,
         scale: R,
-        u: &[[R; 3]; 4],
-    ) -> [[R; 3]; 4] {
-        pairwise(u, |pair| rotated.load(pair, at)).map(|f| scale3(&f, scale))
+        edges: &[[R; 3]; 3],
+    ) -> [[R; 3]; 3] {
+        let [a, b, c] = *edges;
+        let [_, a, b, c] = pairwise(&[zero3(), a, b, c], |pair| rotated.load(pair, at));
+        each3([a, b, c], |f| scale3(&f, scale))
     }
 
     #[inline(always)]

@@ -1,9 +1,9 @@
 //! Lanes: element arithmetic is written once and runs 1, 4 or 8 tetrahedra wide.
 //!
 //! Tetrahedra are stored in blocks of [`BLOCK`] = 8, component by component, whatever the lane
-//! width. A kernel takes a block in 8/WIDTH bites. Every operation is element-wise IEEE, and
-//! [`Lanes::scatter_add`] adds tetrahedron by tetrahedron, corner by corner, in the order of the
-//! mesh: all widths give the same bits.
+//! width. A kernel takes a block in 8/WIDTH bites. Every operation is element-wise IEEE, and kernels
+//! call [`Lanes::scatter_add`] corner by corner for all bites of a block, which adds lane by lane:
+//! all widths give the same bits.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -69,19 +69,20 @@ pub trait Real:
 pub trait Lanes: Real {
     /// Tetrahedra handled side by side: 1, 4 or 8.
     const WIDTH: usize;
+    /// One for each bite of a block: `BLOCK / WIDTH` of them.
+    type Bites<T: Copy>: AsRef<[T]> + AsMut<[T]>;
+    /// The lanes for long chains of arithmetic on few numbers: wider, where the processor would wait.
+    type Wide: Lanes;
+    /// `make` of each bite's first lane.
+    fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T>;
     /// Lanes `at .. at + WIDTH` of a block's component.
     fn load(block: &[f32; BLOCK], at: usize) -> Self;
     /// Writes lanes `at .. at + WIDTH`.
     fn store(self, block: &mut [f32; BLOCK], at: usize);
-    /// Node vectors at the four corners: `[corner][axis]`.
-    fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4];
-    /// Adds `values[corner]` to the node vectors, tetrahedron by tetrahedron, corner by corner.
-    fn scatter_add(
-        values: &[[Self; 3]; 4],
-        vectors: &mut [[f32; 3]],
-        corners: &[[u32; BLOCK]; 4],
-        at: usize,
-    );
+    /// The vectors of nodes `nodes[at .. at + WIDTH]`, `[axis]`.
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3];
+    /// Adds `values` to the vectors of nodes `nodes[at .. at + WIDTH]`, one lane after the other.
+    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize);
 }
 
 impl Real for f32 {
@@ -132,6 +133,12 @@ fn node(vectors: &[[f32; 3]], index: u32) -> [f32; 3] {
 
 impl Lanes for f32 {
     const WIDTH: usize = 1;
+    type Bites<T: Copy> = [T; BLOCK];
+    type Wide = f32;
+    #[inline(always)]
+    fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T> {
+        core::array::from_fn(make)
+    }
     #[inline(always)]
     fn load(block: &[f32; BLOCK], at: usize) -> Self {
         block[at % BLOCK]
@@ -141,19 +148,12 @@ impl Lanes for f32 {
         block[at % BLOCK] = self;
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4] {
-        core::array::from_fn(|c| node(vectors, corners[c][at % BLOCK]))
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3] {
+        node(vectors, nodes[at % BLOCK])
     }
     #[inline(always)]
-    fn scatter_add(
-        values: &[[Self; 3]; 4],
-        vectors: &mut [[f32; 3]],
-        corners: &[[u32; BLOCK]; 4],
-        at: usize,
-    ) {
-        for (value, corner) in values.iter().zip(corners) {
-            add(vectors, corner[at % BLOCK], *value);
-        }
+    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
+        add(vectors, nodes[at % BLOCK], *values);
     }
 }
 
@@ -203,27 +203,19 @@ fn gather_last(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [[f32; 4]; 3] {
     core::array::from_fn(|axis| rows.map(|row| row[axis]))
 }
 
-/// Adds one row a corner.
+/// Turns four lanes back to rows, so that a node's components are added side by side. Written out:
+/// loops over lanes would go through memory.
 #[inline(always)]
-fn add_rows(vectors: &mut [[f32; 3]], nodes: [u32; 4], rows: [f32x4; 4]) {
-    for (node, row) in nodes.into_iter().zip(rows) {
+fn scatter4([x, y, z]: [f32x4; 3], vectors: &mut [[f32; 3]], nodes: &[u32; 4]) {
+    let [a, b, c, d] = f32x4::transpose([x, y, z, f32x4::ZERO]);
+    let row = |row: f32x4| {
         let [x, y, z, _] = row.to_array();
-        add(vectors, node, [x, y, z]);
-    }
-}
-
-/// Turns the values of four tetrahedra back to rows, so that a node's components are added side by
-/// side. Written out: loops over lanes would go through memory.
-#[inline(always)]
-fn scatter4(values: [[f32x4; 3]; 4], vectors: &mut [[f32; 3]], [i, j, k, l]: [&[u32; 4]; 4]) {
-    let turned = |[x, y, z]: [f32x4; 3]| f32x4::transpose([x, y, z, f32x4::ZERO]);
-    let [a, b, c, d] = values;
-    let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (turned(a), turned(b));
-    let ([c0, c1, c2, c3], [d0, d1, d2, d3]) = (turned(c), turned(d));
-    add_rows(vectors, [i[0], j[0], k[0], l[0]], [a0, b0, c0, d0]);
-    add_rows(vectors, [i[1], j[1], k[1], l[1]], [a1, b1, c1, d1]);
-    add_rows(vectors, [i[2], j[2], k[2], l[2]], [a2, b2, c2, d2]);
-    add_rows(vectors, [i[3], j[3], k[3], l[3]], [a3, b3, c3, d3]);
+        [x, y, z]
+    };
+    add(vectors, nodes[0], row(a));
+    add(vectors, nodes[1], row(b));
+    add(vectors, nodes[2], row(c));
+    add(vectors, nodes[3], row(d));
 }
 
 /// Four of a block's eight.
@@ -234,34 +226,9 @@ fn half<T>(block: &[T; BLOCK], at: usize) -> &[T; 4] {
 }
 
 #[inline(always)]
-fn halves(corners: &[[u32; BLOCK]; 4], at: usize) -> [&[u32; 4]; 4] {
-    let [a, b, c, d] = corners;
-    [half(a, at), half(b, at), half(c, at), half(d, at)]
-}
-
-#[inline(always)]
-fn gather8(vectors: &[[f32; 3]], nodes: &[u32; BLOCK]) -> [f32x8; 3] {
-    let [x, y, z] = gather4(vectors, half(nodes, 0));
-    let [u, v, w] = gather4(vectors, half(nodes, 4));
-    [join(x, u), join(y, v), join(z, w)]
-}
-
-#[inline(always)]
 fn join(low: f32x4, high: f32x4) -> f32x8 {
     let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
     f32x8::new([a, b, c, d, e, f, g, h])
-}
-
-#[inline(always)]
-fn low([x, y, z]: [f32x8; 3]) -> [f32x4; 3] {
-    let low = |x: f32x8| f32x4::new(*half(x.as_array(), 0));
-    [low(x), low(y), low(z)]
-}
-
-#[inline(always)]
-fn high([x, y, z]: [f32x8; 3]) -> [f32x4; 3] {
-    let high = |x: f32x8| f32x4::new(*half(x.as_array(), 4));
-    [high(x), high(y), high(z)]
 }
 
 impl Real for f32x4 {
@@ -289,6 +256,12 @@ impl Real for f32x4 {
 
 impl Lanes for f32x4 {
     const WIDTH: usize = 4;
+    type Bites<T: Copy> = [T; BLOCK / 4];
+    type Wide = f32x8;
+    #[inline(always)]
+    fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T> {
+        [make(0), make(4)]
+    }
     #[inline(always)]
     fn load(block: &[f32; BLOCK], at: usize) -> Self {
         f32x4::new(*half(block, at))
@@ -300,23 +273,12 @@ impl Lanes for f32x4 {
         side.copy_from_slice(self.as_array());
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], at: usize) -> [[Self; 3]; 4] {
-        let [a, b, c, d] = halves(corners, at);
-        [
-            gather4(vectors, a),
-            gather4(vectors, b),
-            gather4(vectors, c),
-            gather4(vectors, d),
-        ]
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3] {
+        gather4(vectors, half(nodes, at))
     }
     #[inline(always)]
-    fn scatter_add(
-        values: &[[Self; 3]; 4],
-        vectors: &mut [[f32; 3]],
-        corners: &[[u32; BLOCK]; 4],
-        at: usize,
-    ) {
-        scatter4(*values, vectors, halves(corners, at));
+    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
+        scatter4(*values, vectors, half(nodes, at));
     }
 }
 
@@ -344,6 +306,12 @@ impl Real for f32x8 {
 
 impl Lanes for f32x8 {
     const WIDTH: usize = 8;
+    type Bites<T: Copy> = [T; 1];
+    type Wide = f32x8;
+    #[inline(always)]
+    fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T> {
+        [make(0)]
+    }
     #[inline(always)]
     fn load(block: &[f32; BLOCK], _at: usize) -> Self {
         f32x8::new(*block)
@@ -353,32 +321,17 @@ impl Lanes for f32x8 {
         *block = self.to_array();
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], corners: &[[u32; BLOCK]; 4], _at: usize) -> [[Self; 3]; 4] {
-        let [a, b, c, d] = corners;
-        [
-            gather8(vectors, a),
-            gather8(vectors, b),
-            gather8(vectors, c),
-            gather8(vectors, d),
-        ]
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], _at: usize) -> [Self; 3] {
+        let [x, y, z] = gather4(vectors, half(nodes, 0));
+        let [u, v, w] = gather4(vectors, half(nodes, 4));
+        [join(x, u), join(y, v), join(z, w)]
     }
     #[inline(always)]
-    fn scatter_add(
-        values: &[[Self; 3]; 4],
-        vectors: &mut [[f32; 3]],
-        corners: &[[u32; BLOCK]; 4],
-        _at: usize,
-    ) {
-        let [a, b, c, d] = *values;
-        scatter4(
-            [low(a), low(b), low(c), low(d)],
-            vectors,
-            halves(corners, 0),
-        );
-        scatter4(
-            [high(a), high(b), high(c), high(d)],
-            vectors,
-            halves(corners, 4),
-        );
+    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], _at: usize) {
+        let [x, y, z] = values;
+        let low = |x: &f32x8| f32x4::new(*half(x.as_array(), 0));
+        let high = |x: &f32x8| f32x4::new(*half(x.as_array(), 4));
+        scatter4([low(x), low(y), low(z)], vectors, half(nodes, 0));
+        scatter4([high(x), high(y), high(z)], vectors, half(nodes, 4));
     }
 }

@@ -90,7 +90,6 @@
 //! where the target has f32 in hardware; soft-float routines and a software square root depend on
 //! their data.
 #![no_std]
-#![deny(unsafe_code)]
 #![warn(missing_docs)]
 
 #[cfg(feature = "alloc")]
@@ -106,11 +105,14 @@ pub mod collider;
 pub mod constraint;
 pub mod element;
 pub mod energy;
+mod fan;
 pub mod lane;
 pub mod material;
 pub mod math;
 pub mod mesh;
 pub mod operator;
+#[cfg(feature = "alloc")]
+pub mod order;
 #[cfg(feature = "alloc")]
 pub mod owned;
 pub mod polar;

@@ -4,7 +4,9 @@
 //! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ), and a diagonal Γ
 //! from sliding friction.
 
-use crate::element::{Bite, Layout, Sym3, deformation, edges, gradients};
+use crate::algebra::{each3, each4, scale3};
+use crate::element::{Bite, Layout, Sym3, deformation, gradients};
+use crate::fan::{Edges, Nodes, Sums, fans, lanes, last};
 use crate::lane::{BLOCK, Lanes};
 use crate::polar::{self, Quaternion};
 use crate::rest::Rest;
@@ -64,14 +66,19 @@ impl<L: Layout> Operator<'_, L> {
     /// `out` += c_K K u
     pub fn add_stiffness<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         let scale = R::splat(self.stiffness);
-        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
-            let mut at = 0;
-            while at < BLOCK {
-                let u = R::gather(u, &tet.corners, at);
-                let f = L::product(tet, rotated, at, scale, &u);
-                R::scatter_add(&f, out, &tet.corners, at);
-                at += R::WIDTH;
+        let mut rotated = self.rotated.iter();
+        for fan in fans(self.rest.blocks) {
+            let mut edges = Edges::<R>::open(u, fan);
+            let mut sums = Sums::<R>::open();
+            for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
+                let bites = edges.as_mut().iter_mut().zip(sums.as_mut());
+                for ((edges, sums), at) in bites.zip(lanes::<R>()) {
+                    let edges = edges.advance(u, &tet.corners, at);
+                    let f = L::product(tet, rotated, at, scale, &edges);
+                    sums.add_balanced(&f, out, &tet.corners, at);
+                }
             }
+            Sums::<R>::close_balanced(&mut sums, out, last(fan));
         }
     }
 
@@ -81,18 +88,17 @@ impl<L: Layout> Operator<'_, L> {
             *out = [m; 3];
         }
         let scale = R::splat(self.stiffness);
-        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
-            let mut at = 0;
-            while at < BLOCK {
-                let blocks = L::diagonal(tet, rotated, at, scale);
-                R::scatter_add(
-                    &blocks.map(|[x, _, _, y, _, z]| [x, y, z]),
-                    out,
-                    &tet.corners,
-                    at,
-                );
-                at += R::WIDTH;
+        let mut rotated = self.rotated.iter();
+        for fan in fans(self.rest.blocks) {
+            let mut sums = Sums::<R>::open();
+            for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
+                for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
+                    let blocks = L::diagonal(tet, rotated, at, scale);
+                    let entries = each4(blocks, |[x, _, _, y, _, z]| [x, y, z]);
+                    sums.add(&entries, out, &tet.corners, at);
+                }
             }
+            Sums::<R>::close(&sums, out, last(fan));
         }
     }
 
@@ -104,22 +110,29 @@ impl<L: Layout> Operator<'_, L> {
         // A symmetric block is two rows of three numbers.
         let (rows, _) = out.as_flattened_mut().as_chunks_mut();
         let scale = R::splat(self.stiffness);
-        for (tet, rotated) in self.rest.blocks.iter().zip(self.rotated) {
-            let [first, second] = two_rows(&tet.corners);
-            let mut at = 0;
-            while at < BLOCK {
-                let blocks = L::diagonal(tet, rotated, at, scale);
-                R::scatter_add(&blocks.map(|[a, b, c, ..]| [a, b, c]), rows, &first, at);
-                R::scatter_add(&blocks.map(|[.., d, e, f]| [d, e, f]), rows, &second, at);
-                at += R::WIDTH;
+        let mut rotated = self.rotated.iter();
+        for fan in fans(self.rest.blocks) {
+            let mut upper = Sums::<R>::open();
+            let mut lower = Sums::<R>::open();
+            for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
+                let [first, second] = two_rows(&tet.corners);
+                let bites = upper.as_mut().iter_mut().zip(lower.as_mut());
+                for ((upper, lower), at) in bites.zip(lanes::<R>()) {
+                    let blocks = L::diagonal(tet, rotated, at, scale);
+                    upper.add(&each4(blocks, |[a, b, c, ..]| [a, b, c]), rows, &first, at);
+                    lower.add(&each4(blocks, |[.., d, e, f]| [d, e, f]), rows, &second, at);
+                }
             }
+            let [first, second] = two_rows(last(fan));
+            Sums::<R>::close(&upper, rows, &first);
+            Sums::<R>::close(&lower, rows, &second);
         }
     }
 }
 
 /// Corners in a list that has two rows of three numbers a node: the numbers of both.
 #[inline(always)]
-pub(crate) fn two_rows(corners: &[[u32; BLOCK]; 4]) -> [[[u32; BLOCK]; 4]; 2] {
+pub(crate) fn two_rows(corners: &Nodes) -> [Nodes; 2] {
     let first = corners.map(|corner| corner.map(|node| node.wrapping_mul(2)));
     [first, first.map(|corner| corner.map(|row| row | 1))]
 }
@@ -135,28 +148,30 @@ pub fn rotate<R: Lanes, L: Layout>(
     out: &mut [[f32; 3]],
 ) {
     let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
-    let blocks = rest
-        .blocks
-        .iter()
-        .zip(rest.stiffness)
-        .zip(rotations)
-        .zip(rotated);
-    for (((tet, stiffness), rotation), rotated) in blocks {
-        let mut at = 0;
-        while at < BLOCK {
-            let bite = Bite {
-                tet,
-                stiffness,
-                at,
-                edges: edges(&R::gather(x, &tet.corners, at)),
-                // Dead code where the layout does not ask for them.
-                rest_edges: edges(&R::gather(rest.nodes, &tet.corners, at)),
-            };
-            let q = polar::matrix(&rotation.load::<R>(at));
-            let f = L::rotate(&bite, &q, unit, rotated);
-            R::scatter_add(&f.map(|f| f.map(|f| f * scale)), out, &tet.corners, at);
-            at += R::WIDTH;
+    let mut blocks = rest.stiffness.iter().zip(rotations).zip(rotated);
+    for fan in fans(rest.blocks) {
+        let mut edges = Edges::<R>::open(x, fan);
+        // Dead code where the layout does not ask for them.
+        let mut rest_edges = Edges::<R>::open(rest.nodes, fan);
+        let mut sums = Sums::<R>::open();
+        for (tet, ((stiffness, rotation), rotated)) in fan.iter().zip(blocks.by_ref()) {
+            let edges = edges.as_mut().iter_mut().zip(rest_edges.as_mut());
+            let bites = edges.zip(sums.as_mut());
+            for (((edges, rest_edges), sums), at) in bites.zip(lanes::<R>()) {
+                let bite = Bite {
+                    tet,
+                    stiffness,
+                    at,
+                    edges: edges.advance(x, &tet.corners, at),
+                    rest_edges: rest_edges.advance(rest.nodes, &tet.corners, at),
+                };
+                let q = polar::matrix(&rotation.load::<R>(at));
+                let f = L::rotate(&bite, &q, unit, rotated);
+                let f = each3(f, |f| scale3(&f, scale));
+                sums.add_balanced(&f, out, &tet.corners, at);
+            }
         }
+        Sums::<R>::close_balanced(&mut sums, out, last(fan));
     }
 }
 
@@ -176,17 +191,19 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
     fit: Fit,
     rotations: &mut [RotationBlock],
 ) {
-    for (tet, rotation) in rest.blocks.iter().zip(rotations) {
-        let mut at = 0;
-        while at < BLOCK {
-            let x = R::gather(x, &tet.corners, at);
-            let f = deformation(&edges(&x), &gradients::<R>(tet, at));
-            let q = match fit {
-                Fit::Warm(sweeps) => polar::sweeps(&rotation.load::<R>(at), &f, sweeps),
-                Fit::Cold => polar::nearest_rotation(&f),
-            };
-            rotation.store(q, at);
-            at += R::WIDTH;
+    let mut rotations = rotations.iter_mut();
+    for fan in fans(rest.blocks) {
+        let mut edges = Edges::<R>::open(x, fan);
+        for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
+            for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
+                let edges = edges.advance(x, &tet.corners, at);
+                let f = deformation(&edges, &gradients::<R>(tet, at));
+                let q = match fit {
+                    Fit::Warm(sweeps) => polar::sweeps(&rotation.load::<R>(at), &f, sweeps),
+                    Fit::Cold => polar::nearest_rotation(&f),
+                };
+                rotation.store(q, at);
+            }
         }
     }
 }

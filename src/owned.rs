@@ -13,7 +13,7 @@ use crate::material::Material;
 use crate::mesh::{Mesh, MeshError, shape};
 use crate::operator::{Fit, RotationBlock, fit_rotations};
 use crate::rest::{self, Header, Rest, RestMut, TetBlock, to_f32};
-use crate::settings::{Settings, Start};
+use crate::settings::{Needs, Settings};
 use crate::step::{Scene, StepReport, step};
 
 /// Rest data in `Vec`s.
@@ -114,16 +114,16 @@ pub struct OwnedState {
 }
 
 impl OwnedState {
-    /// At rest in the rest shape, with the history that `start` needs.
+    /// At rest in the rest shape, with the history that a start, or settings, need.
     #[must_use]
-    pub fn new<L: Layout>(rest: &Rest<'_, L>, start: Start) -> Self {
+    pub fn new<L: Layout>(rest: &Rest<'_, L>, needs: impl Into<Needs>) -> Self {
         let nodes = rest.nodes.len();
         let mut rotations = vec![RotationBlock::ZERO; rest.blocks.len()];
         fit_rotations::<Native, L>(rest, rest.nodes, Fit::Cold, &mut rotations);
         Self {
             x: rest.nodes.to_vec(),
             v: vec![[0.0; 3]; nodes],
-            history: vec![[0.0; 3]; start.history() * nodes],
+            history: vec![[0.0; 3]; needs.into().history * nodes],
             rotations,
         }
     }
@@ -161,15 +161,16 @@ pub struct OwnedWorkspace<L: Layout = Factored> {
     vectors: [Vec<[f32; 3]>; 4],
     space: Vec<[f32; 3]>,
     products: Vec<[f32; 3]>,
+    coarse: Vec<f32>,
     nodes: usize,
 }
 
 impl<L: Layout> OwnedWorkspace<L> {
-    /// Room for bodies up to the size of this one, and for the vectors that `start` needs.
+    /// Room for bodies up to the size of this one, and for what a start, or settings, need.
     #[must_use]
-    pub fn new(rest: &Rest<'_, L>, start: Start) -> Self {
-        let nodes = rest.nodes.len();
-        let space = vec![[0.0; 3]; start.vectors() * nodes];
+    pub fn new(rest: &Rest<'_, L>, needs: impl Into<Needs>) -> Self {
+        let (nodes, needs) = (rest.nodes.len(), needs.into());
+        let space = vec![[0.0; 3]; needs.vectors * nodes];
         Self {
             rotated: vec![L::ZERO_ROTATED; rest.blocks.len()],
             filter: vec![[0.0; 6]; nodes],
@@ -178,6 +179,7 @@ impl<L: Layout> OwnedWorkspace<L> {
             vectors: core::array::from_fn(|_| vec![[0.0; 3]; nodes]),
             products: space.clone(),
             space,
+            coarse: vec![0.0; needs.coarse],
             nodes,
         }
     }
@@ -200,6 +202,7 @@ impl<L: Layout> OwnedWorkspace<L> {
             q,
             vectors: &mut self.space,
             products: &mut self.products,
+            coarse: &mut self.coarse,
         }
         .cut(nodes, blocks, stored)
     }
@@ -214,21 +217,25 @@ pub struct OwnedBody<L: Layout = Factored> {
 }
 
 impl<L: Layout> OwnedBody<L> {
-    /// A body at rest in the rest shape, with room for what `start` needs.
+    /// A body at rest in the rest shape, with room for what a start, or settings, need.
     ///
     /// # Errors
     /// [`MeshError::OutOfScale`] where a mass or stiffness leaves the range of f32.
-    pub fn new(mesh: &Mesh<'_>, material: &Material, start: Start) -> Result<Self, MeshError> {
-        Ok(Self::from_rest(OwnedRest::new(mesh, material)?, start))
+    pub fn new(
+        mesh: &Mesh<'_>,
+        material: &Material,
+        needs: impl Into<Needs>,
+    ) -> Result<Self, MeshError> {
+        Ok(Self::from_rest(OwnedRest::new(mesh, material)?, needs))
     }
 
     /// A body at rest, from rest data.
     #[must_use]
-    pub fn from_rest(rest: OwnedRest<L>, start: Start) -> Self {
-        let view = rest.view();
+    pub fn from_rest(rest: OwnedRest<L>, needs: impl Into<Needs>) -> Self {
+        let (view, needs) = (rest.view(), needs.into());
         let (state, workspace) = (
-            OwnedState::new(&view, start),
-            OwnedWorkspace::new(&view, start),
+            OwnedState::new(&view, needs),
+            OwnedWorkspace::new(&view, needs),
         );
         Self {
             rest,

@@ -20,7 +20,7 @@
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
 //! storage and scaling are ours.
 
-use crate::algebra::{mul_mat, transpose};
+use crate::algebra::{each3, mul_mat, scale3, transpose};
 use crate::lane::Real;
 
 /// A unit quaternion, scalar first: (w, x, y, z).
@@ -70,7 +70,7 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     let least = R::splat(f32::MIN_POSITIVE * 16.0);
     let scale = R::splat(0.0625) / size.where_below(least, R::splat(1.0), size);
     let scale = size.where_below(least, R::splat(0.0), scale);
-    f.map(|row| row.map(|x| x * scale))
+    each3(*f, |row| scale3(&row, scale))
 }
 
 /// Improves `q` by `sweeps` sweeps towards the nearest rotation of `f`; never lowers tr(QᵀF)
@@ -158,7 +158,8 @@ fn turned<R: Real, const AXIS: usize>(q: &Quaternion<R>, w: R, s: R) -> Quaterni
 #[inline(always)]
 fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
     let inverse = R::splat(1.0) / square(q).sqrt();
-    q.map(|component| component * inverse)
+    let &[w, x, y, z] = q;
+    [w * inverse, x * inverse, y * inverse, z * inverse]
 }
 
 /// The rotation nearest to `f`, from nothing; for loading, not for a step. Fixed cost. Where the nearest

@@ -27,6 +27,10 @@ pub enum Refusal {
     Vectors,
     /// The factor was made for another mesh.
     Factor,
+    /// The aggregates are those of a body with another number of nodes.
+    Aggregates,
+    /// The preconditioner needs more coarse workspace than there is.
+    Coarse,
 }
 
 impl core::fmt::Display for Refusal {
@@ -41,6 +45,10 @@ impl core::fmt::Display for Refusal {
             Self::Storage => f.write_str("state or workspace is not of the size of the rest data"),
             Self::History => f.write_str("the start needs more history than the state keeps"),
             Self::Factor => f.write_str("the factor was made for another mesh"),
+            Self::Aggregates => f.write_str("the aggregates are not one for each node"),
+            Self::Coarse => {
+                f.write_str("the preconditioner needs more coarse workspace than there is")
+            }
             Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
         }
     }

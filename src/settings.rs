@@ -75,6 +75,36 @@ impl Start {
     }
 }
 
+/// What a solver needs room for, besides the body's size: of a [`Start`], or of whole [`Settings`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Needs {
+    /// Velocities before v(t): [`Start::history`].
+    pub history: usize,
+    /// Vectors of W: [`Start::vectors`].
+    pub vectors: usize,
+    /// Numbers of a coarse solve: [`Preconditioner::coarse_length`].
+    pub coarse: usize,
+}
+
+impl From<Start> for Needs {
+    fn from(start: Start) -> Self {
+        Self {
+            history: start.history(),
+            vectors: start.vectors(),
+            coarse: 0,
+        }
+    }
+}
+
+impl From<&Settings<'_>> for Needs {
+    fn from(settings: &Settings<'_>) -> Self {
+        Self {
+            coarse: settings.preconditioner.coarse_length(),
+            ..settings.start.into()
+        }
+    }
+}
+
 /// Everything about a step but the scene, validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<'a> {

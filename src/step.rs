@@ -28,7 +28,7 @@ use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
 use crate::math::{power_of_two_below, select, sqrt};
 use crate::operator::{Fit, Operator, fit_rotations, rotate};
-use crate::preconditioner::{Preconditioner, Prepared};
+use crate::preconditioner::{Preconditioner, Prepared, Room};
 pub use crate::report::{Refusal, StepReport};
 use crate::rest::Rest;
 pub use crate::scene::Scene;
@@ -96,7 +96,7 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
         if self.preconditioner.is_cheap() {
             rz
         } else {
-            filtered_square(self.preconditioner.filter, r)
+            filtered_square(self.preconditioner.filter(), r)
         }
     }
 }
@@ -185,13 +185,6 @@ pub fn step<R: Lanes, L: Layout>(
             .iter_mut()
             .for_each(|c| *c /= units.velocity);
     }
-    settings.preconditioner.prepare::<R, L>(
-        rest,
-        state.rotations,
-        work.inertia,
-        work.filter,
-        work.blocks,
-    );
     let operator = Operator {
         rest: *rest,
         rotated: &*work.rotated,
@@ -200,11 +193,17 @@ pub fn step<R: Lanes, L: Layout>(
     };
     let system = Filtered::<L, R> {
         operator,
-        preconditioner: Prepared {
-            preconditioner: settings.preconditioner,
-            filter: &*work.filter,
-            blocks: &*work.blocks,
-        },
+        preconditioner: settings.preconditioner.prepare::<R, L>(
+            &operator,
+            state.x,
+            state.rotations,
+            work.filter,
+            Room {
+                blocks: &mut *work.blocks,
+                coarse: &mut *work.coarse,
+            },
+            work.q,
+        ),
         lanes: core::marker::PhantomData,
     };
 
@@ -295,7 +294,7 @@ pub fn step<R: Lanes, L: Layout>(
         return StepReport::refused(Refusal::OutOfRange);
     }
     commit(state, work);
-    fit_rotations::<R, L>(
+    fit_rotations::<R::Wide, L>(
         rest,
         state.x,
         Fit::Warm(settings.budget.polar_sweeps),
@@ -352,6 +351,14 @@ fn check<L: Layout>(
         && (factor.fingerprint() != rest.header.fingerprint || factor.nodes() != nodes)
     {
         return Err(Refusal::Factor);
+    }
+    if let Preconditioner::TwoLevel(aggregates) = settings.preconditioner
+        && aggregates.of().len() != nodes
+    {
+        return Err(Refusal::Aggregates);
+    }
+    if work.coarse.len() < settings.preconditioner.coarse_length() {
+        return Err(Refusal::Coarse);
     }
     if !(scene.forces.is_empty() || scene.forces.len() == nodes) {
         return Err(Refusal::Forces);

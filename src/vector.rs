@@ -16,8 +16,15 @@ fn fold(s: [f32; SUMS]) -> f32 {
 #[inline]
 #[must_use]
 pub fn dot(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
-    let (a, a_rest) = a.as_flattened().as_chunks::<SUMS>();
-    let (b, b_rest) = b.as_flattened().as_chunks::<SUMS>();
+    dot_numbers(a.as_flattened(), b.as_flattened())
+}
+
+/// [`dot`] of plain numbers.
+#[inline]
+#[must_use]
+pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
+    let (a, a_rest) = a.as_chunks::<SUMS>();
+    let (b, b_rest) = b.as_chunks::<SUMS>();
     let mut sums = [0.0; SUMS];
     for (a, b) in a.iter().zip(b) {
         for k in 0..SUMS {

@@ -16,6 +16,7 @@ pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) q: &'a mut [[f32; 3]],
     pub(crate) vectors: &'a mut [[f32; 3]],
     pub(crate) products: &'a mut [[f32; 3]],
+    pub(crate) coarse: &'a mut [f32],
 }
 
 impl<L: Layout> WorkspaceMut<'_, L> {
@@ -32,11 +33,13 @@ impl<L: Layout> WorkspaceMut<'_, L> {
             q: self.q.get_mut(..nodes).unwrap_or_default(),
             vectors: self.vectors.get_mut(..stored).unwrap_or_default(),
             products: self.products.get_mut(..stored).unwrap_or_default(),
+            coarse: self.coarse,
         }
     }
 }
 
-/// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors)).
+/// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors));
+/// a two-level preconditioner takes [`coarse_length`](crate::preconditioner::coarse::coarse_length) f32 more.
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
     nodes
@@ -46,13 +49,15 @@ pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: us
         + blocks * size_of::<L::Rotated>()
 }
 
-/// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, and `VECTORS` stored vectors of W.
+/// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, `VECTORS` stored vectors of W, and `COARSE`
+/// numbers of a two-level preconditioner ([`coarse_length`](crate::preconditioner::coarse::coarse_length)).
 #[derive(Debug)]
 pub struct Workspace<
     const NODES: usize,
     const BLOCKS: usize,
     const VECTORS: usize = 1,
     L: Layout = Factored,
+    const COARSE: usize = 0,
 > {
     rotated: [L::Rotated; BLOCKS],
     filter: [Sym3<f32>; NODES],
@@ -61,10 +66,11 @@ pub struct Workspace<
     vectors: [[[f32; 3]; NODES]; 4],
     space: [[[f32; 3]; NODES]; VECTORS],
     products: [[[f32; 3]; NODES]; VECTORS],
+    coarse: [f32; COARSE],
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
-    Workspace<NODES, BLOCKS, VECTORS, L>
+impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, const COARSE: usize>
+    Workspace<NODES, BLOCKS, VECTORS, L, COARSE>
 {
     /// All bits zero.
     #[must_use]
@@ -77,6 +83,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
             vectors: [[[0.0; 3]; NODES]; 4],
             space: [[[0.0; 3]; NODES]; VECTORS],
             products: [[[0.0; 3]; NODES]; VECTORS],
+            coarse: [0.0; COARSE],
         }
     }
 
@@ -97,13 +104,14 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout>
             q,
             vectors: self.space.as_flattened_mut(),
             products: self.products.as_flattened_mut(),
+            coarse: &mut self.coarse,
         }
         .cut(nodes, blocks, VECTORS * nodes)
     }
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout> Default
-    for Workspace<NODES, BLOCKS, VECTORS, L>
+impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, const COARSE: usize>
+    Default for Workspace<NODES, BLOCKS, VECTORS, L, COARSE>
 {
     fn default() -> Self {
         Self::new()

@@ -216,12 +216,13 @@ proptest! {
     ) {
         let preconditioner = factors::preconditioner(&setup, which);
         for iterations in [0, 1, 2, 3, 5, 10, 30] {
-            let mut body = setup.body(start);
+            let settings = setup.solver(start, preconditioner, iterations);
+            let mut body = setup.body(&settings);
             let slots = body.state_mut().view_mut().history.chunks_mut(setup.x.len());
             for (past, i) in slots.zip(0_u64..) {
                 past.copy_from_slice(&if parallel { setup.v.clone() } else { noise(past.len(), 1.0, seed ^ i) });
             }
-            let account = account(&setup, &mut body, &setup.solver(start, preconditioner, iterations));
+            let account = account(&setup, &mut body, &settings);
             let checked = check(&account, iterations);
             prop_assert!(checked.is_ok(), "{}: {}", factors::name(which), checked.unwrap_err());
         }

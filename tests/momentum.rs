@@ -44,7 +44,7 @@ fn thrown(young: f32, alpha: f32, theta: f32) -> Setup {
 /// Worst |p − p_exact| along a run, in units of the largest momentum that was around, and the worst
 /// distance of the centre from its parabola, metres.
 fn drift(setup: &Setup, settings: &Settings) -> (f64, f64) {
-    let mut body: OwnedBody = setup.body(settings.start);
+    let mut body: OwnedBody = setup.body(settings);
     let (h, theta, alpha) = (
         f64::from(setup.h),
         f64::from(setup.theta),

@@ -159,6 +159,7 @@ fn any_setup() -> impl Strategy<Value = Setup> {
         (1..5_usize, 1..4_usize).prop_map(|(n, shared)| chain(n, shared)),
         (1..4_usize, 1..3_usize, -3.0..0.0_f64)
             .prop_map(|(nx, ny, flat)| box_mesh([1.0, 0.5, 10_f64.powf(flat)], [nx, ny, 1])),
+        (2..4_usize).prop_map(|nx| box_mesh([1.0, 0.5, 0.5], [nx, 2, 2]).ordered()),
     ];
     let material = (
         3.0..10.0_f32,

@@ -5,19 +5,25 @@
 //!
 //! * *local* ones ([`Preconditioner::Identity`] to [`Preconditioner::BlockJacobi`]): one block a node, from
 //!   the step's own matrix; the choice between them costs nothing in the iteration;
-//! * *factored* ones ([`factor`]): the rest matrix, factored once on a host, turned with the body.
+//! * *factored* ones ([`factor`]): the rest matrix, factored once on a host, turned with the body;
+//! * *two-level* ([`coarse`]): block Jacobi, and a solve in the rigid motions of a few aggregates, made anew in
+//!   each step: where no host can prepare anything, where topology or material changes, and for large meshes.
 
+pub mod aggregate;
+pub mod coarse;
 pub mod factor;
+pub mod fold;
 mod local;
 mod warp;
 
+pub use aggregate::Aggregates;
 pub use factor::Factor;
 
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
-use crate::operator::RotationBlock;
-use crate::rest::Rest;
+use crate::operator::{Operator, RotationBlock};
 use crate::vector::{multiply_blocks, sym_mul};
+use coarse::Coarse;
 use local::Local;
 
 /// What approximates A⁻¹.
@@ -35,22 +41,24 @@ pub enum Preconditioner<'a> {
     BlockJacobi,
     /// A factor of the rest matrix: *warped* where it is of 3×3 blocks, *Laplacian* where it is of numbers.
     Factored(&'a Factor<'a>),
+    /// Two-level: block Jacobi, and a solve in the rigid motions of aggregates ([`coarse`]).
+    TwoLevel(Aggregates<'a>),
 }
 
-impl Preconditioner<'_> {
+impl<'a> Preconditioner<'a> {
     fn local(self) -> Option<Local> {
         match self {
             Self::Identity => Some(Local::Identity),
             Self::Mass => Some(Local::Mass),
             Self::Jacobi => Some(Local::Jacobi),
-            Self::BlockJacobi => Some(Local::BlockJacobi),
+            Self::BlockJacobi | Self::TwoLevel(_) => Some(Local::BlockJacobi),
             Self::Factored(_) => None,
         }
     }
 
     /// Whether [`Self::prepare`] reads the diagonal blocks of A.
     pub(crate) fn needs_blocks(self) -> bool {
-        matches!(self, Self::BlockJacobi)
+        matches!(self, Self::BlockJacobi | Self::TwoLevel(_))
     }
 
     /// Whether it reads the diagonal of A.
@@ -58,40 +66,73 @@ impl Preconditioner<'_> {
         matches!(self, Self::Jacobi)
     }
 
-    /// Writes what [`Prepared::apply`] needs of this step over the diagonal blocks of A.
-    pub(crate) fn prepare<R: Lanes, L: Layout>(
+    /// Numbers of coarse workspace that it needs: the capacity `COARSE`.
+    #[must_use]
+    pub const fn coarse_length(&self) -> usize {
+        match self {
+            Self::TwoLevel(aggregates) => coarse::coarse_length(aggregates.count()),
+            _ => 0,
+        }
+    }
+
+    /// Makes it ready for a step at `x` (metres) with the matrix A = `operator`. `scratch` is one vector a node.
+    pub fn prepare<R: Lanes, L: Layout>(
         self,
-        rest: &Rest<'_, L>,
+        operator: &Operator<'_, L>,
+        x: &'a [[f32; 3]],
         rotations: &[RotationBlock],
-        inertia: &[f32],
-        filter: &[Sym3<f32>],
-        blocks: &mut [Sym3<f32>],
-    ) {
+        filter: &'a [Sym3<f32>],
+        room: Room<'a>,
+        scratch: &mut [[f32; 3]],
+    ) -> Prepared<'a> {
+        let Room { blocks, coarse } = room;
+        let coarse = match self {
+            Self::TwoLevel(aggregates) => Some(Coarse::new::<R, L>(
+                aggregates, operator, x, filter, blocks, scratch, coarse,
+            )),
+            _ => None,
+        };
         match self {
             Self::Factored(factor) => {
                 if factor.is_warped() {
-                    warp::average_rotations::<R, L>(rest, rotations, blocks);
+                    warp::average_rotations::<R, L>(&operator.rest, rotations, blocks);
                 }
             }
             _ => {
                 if let Some(local) = self.local() {
-                    local.prepare(inertia, filter, blocks);
+                    local.prepare(operator.inertia, filter, blocks);
                 }
             }
+        }
+        Prepared {
+            preconditioner: self,
+            filter,
+            blocks,
+            coarse,
         }
     }
 }
 
-/// A preconditioner, ready for this step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Prepared<'a> {
-    pub preconditioner: Preconditioner<'a>,
-    pub filter: &'a [Sym3<f32>],
-    /// P B P of a local one, the rows of the nodes' rotations of a warped one.
-    pub blocks: &'a [Sym3<f32>],
+/// Where [`Preconditioner::prepare`] puts what a step's iterations read.
+#[derive(Debug)]
+pub struct Room<'a> {
+    /// The diagonal blocks of A; overwritten.
+    pub blocks: &'a mut [Sym3<f32>],
+    /// [`Preconditioner::coarse_length`] numbers.
+    pub coarse: &'a mut [f32],
 }
 
-impl Prepared<'_> {
+/// A preconditioner, ready for this step.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<'a> {
+    preconditioner: Preconditioner<'a>,
+    filter: &'a [Sym3<f32>],
+    /// P B P of a local one, the rows of the nodes' rotations of a warped one.
+    blocks: &'a [Sym3<f32>],
+    coarse: Option<Coarse<'a>>,
+}
+
+impl<'a> Prepared<'a> {
     /// `z` = P B P r
     pub fn apply(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         match self.preconditioner {
@@ -113,10 +154,18 @@ impl Prepared<'_> {
             }
             _ => multiply_blocks(z, self.blocks, r),
         }
+        if let Some(coarse) = &self.coarse {
+            coarse.add(self.filter, r, z);
+        }
     }
 
-    /// Whether an application costs little beside one of A.
-    pub fn is_cheap(&self) -> bool {
+    /// P
+    pub(crate) fn filter(&self) -> &'a [Sym3<f32>] {
+        self.filter
+    }
+
+    /// Whether an application costs little beside one of A (two-level: a third at most, from 3 k tetrahedra on).
+    pub(crate) fn is_cheap(&self) -> bool {
         !matches!(self.preconditioner, Preconditioner::Factored(_))
     }
 }

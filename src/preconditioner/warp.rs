@@ -1,7 +1,9 @@
 //! The rotation of a node: what turns a factor of the rest matrix with the body.
 
+use crate::algebra::scale3;
 use crate::element::{Layout, Sym3};
-use crate::lane::{BLOCK, Lanes};
+use crate::fan::{Sums, fans, lanes, last};
+use crate::lane::Lanes;
 use crate::math::{Mask, sqrt};
 use crate::operator::{RotationBlock, two_rows};
 use crate::polar;
@@ -24,16 +26,22 @@ pub(super) fn average_rotations<R: Lanes, L: Layout>(
 ) {
     out.fill([0.0; 6]);
     let (rows, _) = out.as_flattened_mut().as_chunks_mut();
-    for (tet, rotation) in rest.blocks.iter().zip(rotations) {
-        let [first, second] = two_rows(&tet.corners);
-        let mut at = 0;
-        while at < BLOCK {
-            let weight = R::load(&tet.mu_v, at);
-            let q = polar::matrix(&rotation.load::<R>(at)).map(|row| row.map(|x| x * weight));
-            R::scatter_add(&[q[0]; 4], rows, &first, at);
-            R::scatter_add(&[q[1]; 4], rows, &second, at);
-            at += R::WIDTH;
+    let mut rotations = rotations.iter();
+    for fan in fans(rest.blocks) {
+        let (mut upper, mut lower) = (Sums::<R>::open(), Sums::<R>::open());
+        for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
+            let [first, second] = two_rows(&tet.corners);
+            let bites = upper.as_mut().iter_mut().zip(lower.as_mut());
+            for ((upper, lower), at) in bites.zip(lanes::<R>()) {
+                let weight = R::load(&tet.mu_v, at);
+                let [a, b, _] = polar::matrix(&rotation.load::<R>(at));
+                upper.add(&[scale3(&a, weight); 4], rows, &first, at);
+                lower.add(&[scale3(&b, weight); 4], rows, &second, at);
+            }
         }
+        let [first, second] = two_rows(last(fan));
+        Sums::<R>::close(&upper, rows, &first);
+        Sums::<R>::close(&lower, rows, &second);
     }
     for rows in out {
         *rows = orthonormal(rows);

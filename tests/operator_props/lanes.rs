@@ -26,7 +26,7 @@ struct Slide {
 
 impl Slide {
     fn new(pinned: bool, theta: f32, [length, mass, time]: [f32; 3]) -> Self {
-        let mesh = jitter(&box_mesh([1.0, 0.25, 0.25], [3, 1, 1]), 0.02, 5);
+        let mesh = jitter(&box_mesh([1.0, 0.25, 0.25], [3, 2, 2]).ordered(), 0.02, 5);
         let mut setup = Setup::new("slide", mesh).spinning([0.5, 2.0, 1.0]);
         if pinned {
             setup = setup.pinned(|x| x[0] < 0.05 && x[1] < 0.05, |x| [0.0, 0.1 * x[2], 0.0]);

@@ -38,9 +38,9 @@ pub fn wrong_factor(setup: &Setup) -> &'static Factor<'static> {
 }
 
 /// How many there are.
-pub const COUNT: usize = 8;
+pub const COUNT: usize = 9;
 
-/// One of every kind: local, factored in either precision, and with a wrong factor.
+/// One of every kind: local, factored in either precision, two-level, and with a wrong factor.
 pub fn preconditioner(setup: &Setup, which: usize) -> Preconditioner<'static> {
     use Preconditioner as P;
     match which {
@@ -51,6 +51,7 @@ pub fn preconditioner(setup: &Setup, which: usize) -> Preconditioner<'static> {
         4 => P::Factored(factor(setup, Kind::Warped, Precision::Single)),
         5 => P::Factored(factor(setup, Kind::Warped, Precision::Half)),
         6 => P::Factored(factor(setup, Kind::Laplacian, Precision::Half)),
+        7 => setup.two_level(4),
         _ => P::Factored(wrong_factor(setup)),
     }
 }
@@ -65,6 +66,7 @@ pub fn name(which: usize) -> &'static str {
         "warped",
         "warped f16",
         "Laplacian f16",
+        "two-level",
         "wrong warped",
     ][which]
 }

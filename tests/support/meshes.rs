@@ -30,6 +30,12 @@ impl TetMesh {
         ((b * g - c * f) * p + (c * d - a * g) * q + (a * f - b * d) * r) / 6.0
     }
 
+    /// With the tetrahedra in fans.
+    pub fn ordered(mut self) -> Self {
+        self.tets = femto::order::fans(&self.tets).tets;
+        self
+    }
+
     /// Swaps the last two nodes of every tet of negative volume.
     fn orient(&mut self) {
         for e in 0..self.tets.len() {

@@ -1,12 +1,13 @@
 //! Named scenes, as a body of the crate and as the oracle's, from the same numbers.
 
 use femto::constraint::Pin;
-use femto::element::Layout;
+use femto::element::{Factored, Layout};
 use femto::glam::Vec3;
 use femto::material::Material;
 use femto::mesh::Mesh;
-use femto::owned::OwnedBody;
-use femto::settings::{Budget, Preconditioner, Settings, Start};
+use femto::owned::{OwnedBody, OwnedRest};
+use femto::preconditioner::Aggregates;
+use femto::settings::{Budget, Needs, Preconditioner, Settings, Start};
 use femto::step::Scene;
 
 use super::meshes::{TetMesh, box_mesh, jitter, two_pieces};
@@ -85,11 +86,23 @@ impl Setup {
             .unwrap()
     }
 
-    pub fn body<L: Layout>(&self, start: Start) -> OwnedBody<L> {
-        let mesh = Mesh::new(&self.mesh.nodes, &self.mesh.tets).unwrap();
-        let mut body = OwnedBody::new(&mesh, &self.material(), start).unwrap();
+    /// With room for what a start, or settings, need.
+    pub fn body<L: Layout>(&self, needs: impl Into<Needs>) -> OwnedBody<L> {
+        let mut body = OwnedBody::from_rest(self.rest(), needs);
         body.place(&self.x, &self.v).unwrap();
         body
+    }
+
+    pub fn rest<L: Layout>(&self) -> OwnedRest<L> {
+        let mesh = Mesh::new(&self.mesh.nodes, &self.mesh.tets).unwrap();
+        OwnedRest::new(&mesh, &self.material()).unwrap()
+    }
+
+    /// With so many aggregates, as the crate divides the mesh; they stay for the rest of the test.
+    pub fn two_level(&self, aggregates: usize) -> Preconditioner<'static> {
+        let of = Vec::leak(vec![0; self.x.len()]);
+        let rest = self.rest::<Factored>();
+        Preconditioner::TwoLevel(Aggregates::divide(&rest.view(), aggregates, of).unwrap())
     }
 
     pub fn pin_list(&self) -> Vec<Pin> {

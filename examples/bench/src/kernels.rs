@@ -70,11 +70,11 @@ impl<L: Layout> Body<L> {
     /// In the state of the scene, with what `start` needs to step from there.
     pub fn stepper<'a>(&'a self, settings: Settings<'a>) -> Stepper<'a, L> {
         let rest = self.rest.view();
-        let workspace = OwnedWorkspace::new(&rest, settings.start);
+        let workspace = OwnedWorkspace::new(&rest, &settings);
         let mut stepper = Stepper {
             body: self,
             rest,
-            state: OwnedState::new(&rest, settings.start),
+            state: OwnedState::new(&rest, &settings),
             workspace,
             settings,
         };

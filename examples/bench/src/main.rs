@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo run --release -p femto-bench [-- --quick] [--check]
-//! RUSTFLAGS="-C target-feature=+avx2" cargo run --release -p femto-bench
+//! RUSTFLAGS="-C target-cpu=x86-64-v3" cargo run --release -p femto-bench
 //! ```
 //!
 //! `--quick` takes a few seconds; with `--check` the exit code is 1 where a target is missed.
@@ -15,6 +15,7 @@ mod guard;
 mod kernels;
 mod mesh;
 mod report;
+mod two_level;
 
 use std::process::ExitCode;
 use std::time::Duration;
@@ -32,6 +33,7 @@ use csr::{BlockCsr, Element};
 use kernels::{Body, DENSE, DT, FACTORED, kernels, polar};
 use mesh::{Scene, box_scene};
 use report::{Table, targets};
+use two_level::{Coarse, two_level};
 
 const PLAIN: &str = "block-CSR product, plain";
 const IN_LANES: &str = "block-CSR product, in lanes";
@@ -99,6 +101,7 @@ fn main() -> ExitCode {
 fn measure(scene: &Scene, effort: Effort) -> Table {
     let body = Body::<Factored>::new(scene);
     let dense = Body::<Dense>::new(scene);
+    let coarse = Coarse::new(&body);
     let operator = body.operator();
     let elements = elements(&body, operator.stiffness);
     let mut matrix = BlockCsr::new(scene.nodes.len(), &scene.tets);
@@ -144,9 +147,9 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
             factor.solve(&mut z);
         }));
     }
-    all.extend(of_width::<f32>(&body, &dense));
-    all.extend(of_width::<f32x4>(&body, &dense));
-    all.extend(of_width::<f32x8>(&body, &dense));
+    all.extend(of_width::<f32>(&body, &dense, &coarse));
+    all.extend(of_width::<f32x4>(&body, &dense, &coarse));
+    all.extend(of_width::<f32x8>(&body, &dense, &coarse));
     let seconds = clock::time(&mut all, effort);
     let table = Table::new(scene.tets.len(), &all, &seconds);
     table.print();
@@ -175,10 +178,12 @@ fn factors(body: &Body<Factored>, tets: usize) -> Vec<OwnedFactor> {
 fn of_width<'a, R: Lanes + 'a>(
     body: &'a Body<Factored>,
     dense: &'a Body<Dense>,
+    coarse: &'a Coarse,
 ) -> Vec<Kernel<'a>> {
     let mut all = kernels::<R, Factored>(body, &FACTORED);
     all.extend(kernels::<R, Dense>(dense, &DENSE));
     all.extend(polar::<R, Factored>(body));
+    all.extend(two_level::<R>(body, coarse));
     all
 }
 

@@ -1,6 +1,7 @@
 //! Box meshes of six tetrahedra a cell, and a bent, twisted, rotated state of motion.
 
 use femto::glam::Vec3;
+use femto::order::fans;
 
 /// A mesh at rest and a state that is nowhere special.
 pub struct Scene {
@@ -16,7 +17,7 @@ pub struct Scene {
 const CELL: f32 = 0.1;
 
 /// A box of so many cells. Node (i, j, k) has index (i·(ny+1) + j)·(nz+1) + k; each cell gives the
-/// six tetrahedra that walk from its low to its high corner along the axes.
+/// six tetrahedra that walk from its low to its high corner along the axes; in femto's order.
 pub fn box_scene([nx, ny, nz]: [u32; 3]) -> Scene {
     // The last two of an odd walk are swapped, so that all are positively oriented.
     const WALKS: [[usize; 3]; 6] = [
@@ -52,6 +53,7 @@ pub fn box_scene([nx, ny, nz]: [u32; 3]) -> Scene {
             }
         }
     }
+    let tets = fans(&tets).tets;
     let length = CELL * nx as f32;
     let x = nodes
         .iter()

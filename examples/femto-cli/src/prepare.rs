@@ -2,7 +2,8 @@
 
 use femto::element::{Factored, Layout};
 use femto::material::{Material, MaterialError};
-use femto::mesh::Mesh;
+use femto::mesh::{Mesh, MeshError};
+use femto::order::fans;
 use femto::owned::OwnedRest;
 use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
 use femto_bake::{FactorOptions, Kind, OwnedFactor, factor};
@@ -22,7 +23,10 @@ pub fn settings(scene: &Scene) -> Result<Settings<'static>, Error> {
     let preconditioner = match scene.preconditioner {
         scene::Preconditioner::Identity => Preconditioner::Identity,
         scene::Preconditioner::Mass => Preconditioner::Mass,
-        scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
+        // With aggregates, body by body.
+        scene::Preconditioner::BlockJacobi | scene::Preconditioner::TwoLevel => {
+            Preconditioner::BlockJacobi
+        }
         // A body's factor takes the place of it.
         scene::Preconditioner::Jacobi | scene::Preconditioner::Factored(_) => {
             Preconditioner::Jacobi
@@ -75,9 +79,20 @@ pub fn rest<L: Layout>(scene: &Scene, index: usize) -> Result<OwnedRest<L>, Erro
         };
         wrong(key, format!("{value:?}"), e.to_string())
     })?;
-    Mesh::new(&body.rest, &body.tets)
-        .and_then(|mesh| OwnedRest::new(&mesh, &material))
-        .map_err(|e| wrong("mesh", body.source.clone(), e.to_string()))
+    let mesh = |e: MeshError| wrong("mesh", body.source.clone(), e.to_string());
+    Mesh::new(&body.rest, &body.tets).map_err(mesh)?;
+    let ordered = fans(&body.tets);
+    let checked = Mesh::new(&body.rest, &ordered.tets).map_err(mesh)?;
+    OwnedRest::new(&checked, &material).map_err(|e| match e {
+        // As the file counts.
+        MeshError::OutOfScale { tet } => mesh(MeshError::OutOfScale {
+            tet: ordered
+                .original
+                .get(tet as usize)
+                .map_or(tet, |&t| t as u32),
+        }),
+        _ => mesh(e),
+    })
 }
 
 /// Factors a body of the scene, with its pinned nodes held, for a substep of the scene.

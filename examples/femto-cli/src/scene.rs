@@ -39,6 +39,7 @@ pub enum Preconditioner {
     Mass,
     Jacobi,
     BlockJacobi,
+    TwoLevel,
     /// A factor of the rest matrix, made when the scene is loaded.
     Factored(Kind),
 }
@@ -278,9 +279,9 @@ impl Checker<'_> {
             "mass" => return Ok(Preconditioner::Mass),
             "jacobi" => return Ok(Preconditioner::Jacobi),
             "block-jacobi" => return Ok(Preconditioner::BlockJacobi),
+            "two-level" => return Ok(Preconditioner::TwoLevel),
             "laplacian" => return Ok(Preconditioner::Factored(Kind::Laplacian)),
             "warped" => return Ok(Preconditioner::Factored(Kind::Warped)),
-            "two-level" => "not available in this version; use block-jacobi, laplacian or warped",
             _ => "must be identity, mass, jacobi, block-jacobi, two-level, laplacian or warped",
         };
         Err(self.wrong("solver.preconditioner", &name, why))

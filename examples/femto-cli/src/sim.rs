@@ -11,7 +11,8 @@ use femto::glam::Vec3;
 use femto::lane::blocks;
 use femto::owned::{OwnedBody, OwnedState};
 use femto::preconditioner::Factor;
-use femto::settings::{Preconditioner, Settings, Start};
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
+use femto::settings::{Needs, Preconditioner, Settings, Start};
 use femto::step::{Scene as StepScene, StepReport};
 use femto_bake::OwnedFactor;
 use serde::Serialize;
@@ -38,6 +39,23 @@ struct Body<'a> {
     kind: Kind,
     pins: Vec<Pin>,
     factor: Option<Factor<'a>>,
+    /// The aggregate of each node, for the two-level preconditioner.
+    aggregates: Option<Vec<u8>>,
+}
+
+/// The scene's settings with what is a body's own of the preconditioner.
+fn own_settings<'a>(
+    settings: &Settings<'static>,
+    factor: Option<&'a Factor<'a>>,
+    aggregates: Option<&'a [u8]>,
+) -> Settings<'a> {
+    let settings: Settings<'a> = *settings;
+    let coarse = aggregates.map(|of| {
+        let aggregates = Aggregates::new(of, DEFAULT_AGGREGATES);
+        Preconditioner::TwoLevel(aggregates.expect("made by the library"))
+    });
+    let own = factor.map(Preconditioner::Factored).or(coarse);
+    settings.with_preconditioner(own.unwrap_or(settings.preconditioner))
 }
 
 enum Kind {
@@ -107,10 +125,12 @@ impl<'a> Sim<'a> {
         let settings = prepare::settings(scene)?;
         let mut bodies = Vec::new();
         for (i, (body, factor)) in scene.bodies.iter().zip(&factors.0).enumerate() {
-            let start = settings.start;
+            let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
+            let mut aggregates = aggregated.then(|| vec![0; body.rest.len()]);
+            let of = aggregates.as_deref_mut();
             let mut kind = match scene.layout {
-                scene::Layout::Factored => Kind::Factored(built(scene, i, start)?),
-                scene::Layout::Dense => Kind::Dense(built(scene, i, start)?),
+                scene::Layout::Factored => Kind::Factored(built(scene, i, &settings, of)?),
+                scene::Layout::Dense => Kind::Dense(built(scene, i, &settings, of)?),
             };
             with!(&mut kind, built => built.place(&body.x, &body.v)).map_err(|e| {
                 wrong(
@@ -127,6 +147,7 @@ impl<'a> Sim<'a> {
                 kind,
                 pins: body.pins.iter().map(pin).collect(),
                 factor: factor.as_ref().map(OwnedFactor::view),
+                aggregates,
             });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
@@ -196,11 +217,12 @@ impl<'a> Sim<'a> {
                     pins: &body.pins,
                     colliders: &colliders,
                 };
+                let settings = own_settings(
+                    &self.settings,
+                    body.factor.as_ref(),
+                    body.aggregates.as_deref(),
+                );
                 let begin = Instant::now();
-                let mut settings: Settings<'_> = self.settings;
-                if let Some(factor) = &body.factor {
-                    settings = settings.with_preconditioner(Preconditioner::Factored(factor));
-                }
                 let report: StepReport =
                     with!(&mut body.kind, body => body.step(&scene, &settings));
                 info.took += begin.elapsed();
@@ -272,8 +294,9 @@ impl<'a> Sim<'a> {
     pub fn memory(&self) -> Memory {
         let mut sum = Memory::default();
         for body in &self.bodies {
-            let start = self.settings.start;
-            let one = with!(&body.kind, body => memory_of(body, start));
+            let settings = own_settings(&self.settings, None, body.aggregates.as_deref());
+            let needs = Needs::from(&settings);
+            let one = with!(&body.kind, body => memory_of(body, needs));
             sum.rest += one.rest;
             sum.factor += body.factor.as_ref().map_or(0, Factor::bytes);
             sum.state += one.state;
@@ -283,9 +306,26 @@ impl<'a> Sim<'a> {
     }
 }
 
-fn built<L: Layout>(scene: &Scene, body: usize, start: Start) -> Result<Box<OwnedBody<L>>, Error> {
-    let rest = prepare::rest(scene, body)?;
-    Ok(Box::new(OwnedBody::from_rest(rest, start)))
+fn built<L: Layout>(
+    scene: &Scene,
+    body: usize,
+    settings: &Settings<'static>,
+    aggregates: Option<&mut [u8]>,
+) -> Result<Box<OwnedBody<L>>, Error> {
+    let rest = prepare::rest::<L>(scene, body)?;
+    let needs = match aggregates {
+        Some(of) => {
+            Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, of).map_err(|e| Error::Value {
+                file: scene.file.clone(),
+                key: format!("body[{body}].mesh"),
+                value: scene.bodies[body].source.clone(),
+                why: e.to_string(),
+            })?;
+            Needs::from(&own_settings(settings, None, Some(of)))
+        }
+        None => Needs::from(settings),
+    };
+    Ok(Box::new(OwnedBody::from_rest(rest, needs)))
 }
 
 /// Where a collider is at a time; `substep` of a moving one goes on from there.
@@ -306,26 +346,27 @@ fn collider_at(collider: &Collider, time: f64) -> Result<collider::Collider, Col
         .with_velocity(velocity)
 }
 
-fn memory_of<L: Layout>(body: &OwnedBody<L>, start: Start) -> Memory {
+fn memory_of<L: Layout>(body: &OwnedBody<L>, needs: Needs) -> Memory {
     let rest = body.rest();
-    needed::<L>(rest.nodes.len(), rest.header.tets as usize, start)
+    needed::<L>(rest.nodes.len(), rest.header.tets as usize, needs)
 }
 
-fn needed<L: Layout>(nodes: usize, tets: usize, start: Start) -> Memory {
+fn needed<L: Layout>(nodes: usize, tets: usize, needs: Needs) -> Memory {
     let blocks = blocks(tets);
     Memory {
         rest: rest_bytes::<L>(nodes, blocks),
         factor: 0,
-        state: state_bytes(nodes, blocks, start.history()),
-        workspace: workspace_bytes::<L>(nodes, blocks, start.vectors()),
+        state: state_bytes(nodes, blocks, needs.history),
+        workspace: workspace_bytes::<L>(nodes, blocks, needs.vectors)
+            + needs.coarse * size_of::<f32>(),
     }
 }
 
 /// What a body of this size takes with the default start, factored and dense.
 pub fn memory_of_mesh(nodes: usize, tets: usize) -> [Memory; 2] {
-    let start = Start::default();
+    let needs = Needs::from(Start::default());
     [
-        needed::<Factored>(nodes, tets, start),
-        needed::<Dense>(nodes, tets, start),
+        needed::<Factored>(nodes, tets, needs),
+        needed::<Dense>(nodes, tets, needs),
     ]
 }

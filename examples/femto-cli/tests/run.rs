@@ -250,7 +250,7 @@ fn both_layouts_and_all_starts_run() {
             "rigid-0",
             "rigid-2",
         ] {
-            for preconditioner in ["identity", "mass", "jacobi", "block-jacobi"] {
+            for preconditioner in ["identity", "mass", "jacobi", "block-jacobi", "two-level"] {
                 let solver = format!(
                     "[solver]\nlayout = \"{layout}\"\nstart = \"{start}\"\npreconditioner = \"{preconditioner}\"\n"
                 );

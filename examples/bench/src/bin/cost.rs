@@ -11,6 +11,8 @@
 use std::process::ExitCode;
 
 use femto::glam::Vec3;
+use femto::owned::OwnedRest;
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES, MAX_AGGREGATES};
 use femto::{
     Collider, Material, Mesh, OwnedBody, Pin, Preconditioner, Scene, Settings, Start, StepReport,
 };
@@ -19,13 +21,16 @@ use femto::{
 #[allow(dead_code, reason = "the benchmark uses more of it")]
 mod mesh;
 
-const STARTS: [Start; 6] = [
-    Start::Zero,
-    Start::Velocity,
-    Start::VelocityForce,
-    Start::Galerkin(1),
-    Start::Galerkin(3),
-    Start::Rigid(2),
+/// Each with block Jacobi alone, or with so many aggregates.
+const STARTS: [(Start, usize); 8] = [
+    (Start::Zero, 0),
+    (Start::Velocity, 0),
+    (Start::VelocityForce, 0),
+    (Start::Galerkin(1), 0),
+    (Start::Galerkin(3), 0),
+    (Start::Rigid(2), 0),
+    (Start::Galerkin(1), DEFAULT_AGGREGATES),
+    (Start::Galerkin(3), MAX_AGGREGATES),
 ];
 
 /// x and v of a state, from those of the body at rest.
@@ -86,7 +91,7 @@ fn main() -> ExitCode {
     };
     let drift = state == "drift";
     let chosen = start.parse().ok().and_then(|i: usize| STARTS.get(i));
-    let (Some(&start), Some(state)) = (
+    let (Some(&(start, aggregates)), Some(state)) = (
         chosen,
         STATES.get(state.parse().unwrap_or(usize::from(drift))),
     ) else {
@@ -96,7 +101,18 @@ fn main() -> ExitCode {
     let scene = mesh::box_scene([3, 3, 3]);
     let rest = Mesh::new(&scene.nodes, &scene.tets).expect("a valid mesh");
     let material = Material::new(1e6, 0.4, 1000.0).expect("a valid material");
-    let mut body: OwnedBody = OwnedBody::new(&rest, &material, start).expect("in range");
+    let rest = OwnedRest::new(&rest, &material).expect("in range");
+    let mut of = vec![0; scene.nodes.len()];
+    let aggregates =
+        Aggregates::divide(&rest.view(), aggregates, &mut of).expect("not too many aggregates");
+    let settings = Settings::new(1.0 / 60.0)
+        .expect("a valid step")
+        .with_start(start)
+        .with_preconditioner(match aggregates.count() {
+            0 => Preconditioner::BlockJacobi,
+            _ => Preconditioner::TwoLevel(aggregates),
+        });
+    let mut body: OwnedBody = OwnedBody::from_rest(rest, &settings);
     let (mut x, mut v) = (scene.nodes.clone(), vec![[0.0; 3]; scene.nodes.len()]);
     state(&mut x, &mut v);
     body.place(&x, &v).expect("a finite state");
@@ -117,10 +133,6 @@ fn main() -> ExitCode {
         colliders: &colliders,
         ..Scene::default()
     };
-    let settings = Settings::new(1.0 / 60.0)
-        .expect("a valid step")
-        .with_start(start)
-        .with_preconditioner(Preconditioner::BlockJacobi);
     if v[0][0] == f32::MAX {
         let refused = body.step(&world, &settings);
         assert!(!refused.advanced(), "{refused:?}");
