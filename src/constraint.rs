@@ -34,6 +34,7 @@
 //! collider; for several, to what correcting one after the other leaves where they meet at an acute
 //! angle.
 
+use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
 use crate::collider::Collider;
@@ -42,7 +43,8 @@ use crate::math::{Mask, ratio_or_zero, select, select3, sqrt};
 use crate::vector::sym_mul;
 
 /// A node whose velocity is prescribed (m/s); zero holds it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
 pub struct Pin {
     /// The node.
     pub node: u32,

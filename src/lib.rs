@@ -80,7 +80,8 @@
 //! ```
 //!
 //! With the feature `alloc`, `OwnedBody` is the same for meshes known at run time. Where everything
-//! lives, and how rest data and workspace are shared by several bodies: [`body`].
+//! lives, and how rest data and workspace are shared by several bodies: [`body`]. Bodies that are baked on a
+//! host, with a factor of their matrix, and read in place from flash: [`asset`].
 //!
 //! # Limits
 //!
@@ -97,6 +98,7 @@ extern crate alloc;
 pub use glam;
 
 mod algebra;
+pub mod asset;
 pub mod body;
 mod cg;
 pub mod collider;
@@ -125,6 +127,7 @@ pub mod step;
 pub mod vector;
 pub mod workspace;
 
+pub use asset::{Asset, AssetError};
 pub use body::Body;
 pub use collider::Collider;
 pub use constraint::Pin;

@@ -96,6 +96,18 @@ impl Material {
         )
     }
 
+    /// Young's modulus E, Pa.
+    #[must_use]
+    pub fn young(&self) -> f32 {
+        self.young
+    }
+
+    /// Poisson's ratio ν.
+    #[must_use]
+    pub fn poisson(&self) -> f32 {
+        self.poisson
+    }
+
     /// Density, kg/m³.
     #[must_use]
     pub fn density(&self) -> f32 {

@@ -1,6 +1,8 @@
 //! Rest data: what a body is before it moves. It never changes, may live in flash, and may be
 //! shared by any number of bodies.
 
+use bytemuck::{Pod, Zeroable};
+
 use crate::element::{Factored, Layout};
 use crate::energy::{FNV_START, fnv1a};
 use crate::lane::{BLOCK, blocks};
@@ -10,7 +12,7 @@ use crate::mesh::{Mesh, MeshError, Shape, shape};
 
 /// Eight tetrahedra at rest, component by component. The last block of a mesh is padded with
 /// tetrahedra that have no stiffness and sit at node 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct TetBlock {
     /// Corner node numbers, `[corner][lane]`.
@@ -34,7 +36,7 @@ impl TetBlock {
 }
 
 /// The few numbers of a body that are not per node or per tetrahedron.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Header {
     /// Of nodes and tetrahedra, whatever the material: tells which mesh a factor belongs to.
@@ -87,6 +89,18 @@ impl<L: Layout> Clone for Rest<'_, L> {
 }
 
 impl<L: Layout> Copy for Rest<'_, L> {}
+
+impl<L: Layout> Rest<'_, L> {
+    /// The four node numbers of every tetrahedron, without padding.
+    pub fn tets(&self) -> impl Iterator<Item = [u32; 4]> {
+        let lanes = |block: &TetBlock| {
+            let corners = block.corners;
+            (0..BLOCK).map(move |lane| corners.map(|corner| corner[lane % BLOCK]))
+        };
+        let all = self.blocks.iter().flat_map(lanes);
+        all.take(self.header.tets as usize)
+    }
+}
 
 /// Where rest data is written: slices of the right lengths (see [`fill`]).
 #[derive(Debug)]
@@ -176,7 +190,7 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
     )]
     let (per_tet, per_node) = (total_volume / tets as f64, total_mass / nodes as f64);
     *out.header = Header {
-        fingerprint: fingerprint(mesh),
+        fingerprint: fingerprint(mesh.nodes(), mesh.tets().iter().copied()),
         tets: u32::try_from(tets).unwrap_or(u32::MAX),
         alpha: material.alpha(),
         beta: material.beta(),
@@ -187,9 +201,9 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
 }
 
 /// 64-bit FNV-1a over the bytes of the nodes' coordinates, then the tetrahedra's corners.
-fn fingerprint(mesh: &Mesh<'_>) -> u64 {
-    let nodes = mesh.nodes().as_flattened().iter().map(|x| x.to_le_bytes());
-    let corners = mesh.tets().as_flattened().iter().map(|i| i.to_le_bytes());
+pub(crate) fn fingerprint(nodes: &[[f32; 3]], tets: impl Iterator<Item = [u32; 4]>) -> u64 {
+    let nodes = nodes.as_flattened().iter().map(|x| x.to_le_bytes());
+    let corners = tets.flatten().map(|i| i.to_le_bytes());
     fnv1a(FNV_START, nodes.chain(corners).flatten())
 }
 

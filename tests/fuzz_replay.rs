@@ -25,6 +25,11 @@ fn replay(target: &str, run: fn(&[u8])) {
 }
 
 #[test]
+fn asset() {
+    replay("asset", fuzz::asset::run);
+}
+
+#[test]
 fn mesh() {
     replay("mesh", fuzz::mesh::run);
 }

@@ -1,5 +1,6 @@
 //! What the fuzz targets check, as plain functions of bytes that panic where something is wrong.
 
+pub mod asset;
 mod bytes;
 mod inputs;
 pub mod mesh;

@@ -173,7 +173,7 @@ fn check(
     );
 }
 
-fn check_state(state: &StateRef<'_>) {
+pub fn check_state(state: &StateRef<'_>) {
     let vectors = state.x.iter().chain(state.v).chain(state.history);
     assert!(vectors.flatten().all(|x| x.is_finite()), "{state:?}");
     for block in state.rotations {

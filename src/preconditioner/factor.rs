@@ -133,7 +133,7 @@ impl<'a> Factor<'a> {
             || pivots != nodes
             || lower != rows.len()
             || usize::try_from(last) != Ok(rows.len())
-            || !ends.is_sorted()
+            || ends.iter().zip(ends.iter().skip(1)).any(|(a, b)| a > b)
         {
             return Err(FactorError::Shape);
         }

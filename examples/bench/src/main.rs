@@ -22,13 +22,15 @@ use std::time::Duration;
 
 use femto::element::{Dense, Factored};
 use femto::lane::{Lanes, Native};
+use femto::settings::Settings;
+use femto_bake::{FactorOptions, Kind, OwnedFactor, Precision, factor};
 use nalgebra::Matrix3;
 use wide::{f32x4, f32x8};
 
 use baseline::Baseline;
 use clock::{Effort, Kernel};
 use csr::{BlockCsr, Element};
-use kernels::{Body, DENSE, FACTORED, kernels, polar};
+use kernels::{Body, DENSE, DT, FACTORED, kernels, polar};
 use mesh::{Scene, box_scene};
 use report::{Table, targets};
 use two_level::{Coarse, two_level};
@@ -37,6 +39,16 @@ const PLAIN: &str = "block-CSR product, plain";
 const IN_LANES: &str = "block-CSR product, in lanes";
 const REFILL: &str = "block-CSR refill";
 const SVD: &str = "polar, SVD (nalgebra)";
+/// The preconditioner's triangular solves; turning the vector there and back is not in them.
+const FACTORS: [(&str, (Kind, Precision)); 4] = [
+    (
+        "factor, Laplacian f32",
+        (Kind::Laplacian, Precision::Single),
+    ),
+    ("factor, Laplacian f16", (Kind::Laplacian, Precision::Half)),
+    ("factor, warped f32", (Kind::Warped, Precision::Single)),
+    ("factor, warped f16", (Kind::Warped, Precision::Half)),
+];
 const BASELINE: &str = "step Velocity, SVD + assembly + CSR";
 
 /// Cells along the edges: 0.4, 3, 25 and 80 thousand tetrahedra.
@@ -104,6 +116,7 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
         guard::steps(scene, &body);
     }
 
+    let made = factors(&body, scene.tets.len());
     let mut refilled = BlockCsr::new(scene.nodes.len(), &scene.tets);
     let (mut plain, mut in_lanes) = (
         vec![[0.0; 3]; scene.nodes.len()],
@@ -126,6 +139,14 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
             |b| b.step(5),
         ),
     ];
+    for ((row, _), factor) in FACTORS.iter().zip(&made) {
+        let (factor, v) = (factor.view(), &body.v);
+        let mut z = v.clone();
+        all.push(Kernel::new(row, 1, move || {
+            z.copy_from_slice(v);
+            factor.solve(&mut z);
+        }));
+    }
     all.extend(of_width::<f32>(&body, &dense, &coarse));
     all.extend(of_width::<f32x4>(&body, &dense, &coarse));
     all.extend(of_width::<f32x8>(&body, &dense, &coarse));
@@ -133,6 +154,25 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     let table = Table::new(scene.tets.len(), &all, &seconds);
     table.print();
     table
+}
+
+/// The rest matrix of the body, factored in every way; of large meshes only as a Laplacian.
+fn factors(body: &Body<Factored>, tets: usize) -> Vec<OwnedFactor> {
+    let settings = Settings::new(DT).expect("a positive time step");
+    let count = match tets {
+        ..10_000 => FACTORS.len(),
+        10_000..50_000 => 2,
+        _ => 0,
+    };
+    let made = FACTORS.iter().take(count).map(|&(_, (kind, precision))| {
+        let options = FactorOptions {
+            kind,
+            precision,
+            ..FactorOptions::default()
+        };
+        factor(&body.rest.view(), &settings, &options).expect("a positive definite matrix")
+    });
+    made.collect()
 }
 
 fn of_width<'a, R: Lanes + 'a>(

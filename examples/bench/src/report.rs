@@ -4,7 +4,7 @@ use femto::lane::{Lanes, Native};
 
 use crate::clock::Kernel;
 use crate::kernels::{FACTORED, TWO_SWEEPS};
-use crate::{BASELINE, IN_LANES, PLAIN, REFILL};
+use crate::{BASELINE, FACTORS, IN_LANES, PLAIN, REFILL};
 
 /// Seconds per run on one mesh, by row and lane width.
 pub struct Table {
@@ -65,6 +65,12 @@ impl Table {
                 print!("{a:>9}{b:>9}{c:>9}   ");
             }
             println!();
+        }
+        let apply = self.get(FACTORED.apply, Native::WIDTH);
+        for (row, _) in FACTORS {
+            if self.rows.iter().any(|(name, _)| *name == row) {
+                println!("{row:38}{:>9.2} applies", self.get(row, 1) / apply);
+            }
         }
         // Assembling pays after so many products.
         print!("{:38}", "break-even iterations, factored");

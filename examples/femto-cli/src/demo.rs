@@ -3,9 +3,13 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use femto_bake::Kind;
+
 use crate::error::Error;
 use crate::info::thousands;
 use crate::mesh::{Mesh, gmsh};
+use crate::prepare::Factors;
+use crate::report::StepTimes;
 use crate::run;
 use crate::scene::{self, Meshes, Scene};
 use crate::sim::{Energies, Sim};
@@ -27,10 +31,23 @@ impl Meshes for BuiltIn {
     }
 }
 
+/// What the scene could be solved with instead, in about the same time: a factor, and iterations.
+const INSTEAD: [(Kind, &str, u32); 2] = [
+    (Kind::Laplacian, "laplacian", 5),
+    (Kind::Warped, "warped", 2),
+];
+
+/// Where the nodes were after every step.
+type Track = Vec<Vec<[f32; 3]>>;
+
+/// Mean error over the steps, and the error after the last.
+type MeanAndLast = (f64, f64);
+
 /// Returns the exit status, 0 or 3.
 pub fn command() -> Result<u8, Error> {
     let scene = scene::parse("snowman.toml", SCENE, &mut BuiltIn)?;
-    let mut sim = Sim::new(&scene)?;
+    let factors = Factors::new(&scene)?;
+    let mut sim = Sim::new(&scene, &factors)?;
     let mut track = Vec::new();
     let summary = run::run(&scene, &mut sim, Path::new(OUT), &[], false, |sim| {
         track.push(sim.positions(0).to_vec());
@@ -43,21 +60,46 @@ pub fn command() -> Result<u8, Error> {
         );
         return Ok(3);
     }
-    let error = error_against_converged(&scene, &track)?;
-    crate::print(&describe(&scene, &sim, &summary, error));
+    let converged = with_budget(&scene, CONVERGED, CONVERGED_SWEEPS);
+    let converged = track_of(&converged)?.map(|(track, _)| track);
+    let error = |track: &Track| error_of(&scene, track, converged.as_ref()?);
+    let mut instead = Vec::new();
+    for (kind, name, iterations) in INSTEAD {
+        let mut other = with_budget(&scene, iterations, scene.budget.polar_sweeps);
+        other.preconditioner = scene::Preconditioner::Factored(kind);
+        if let Some((track, time)) = track_of(&other)? {
+            instead.push((name, iterations, time, error(&track)));
+        }
+    }
+    crate::print(&describe(&scene, &sim, &summary, error(&track), &instead));
     Ok(0)
 }
 
+fn with_budget(scene: &Scene, iterations: u32, polar_sweeps: u32) -> Scene {
+    let mut other = scene.clone();
+    other.budget.iterations = iterations;
+    other.budget.polar_sweeps = polar_sweeps;
+    other
+}
+
+/// Runs a scene, and says how long a step took; `None` where one is refused.
+fn track_of(scene: &Scene) -> Result<Option<(Track, StepTimes)>, Error> {
+    let factors = Factors::new(scene)?;
+    let mut sim = Sim::new(scene, &factors)?;
+    let (mut track, mut times) = (Vec::new(), Vec::new());
+    for _ in 0..scene.steps {
+        let Ok(info) = sim.step() else {
+            return Ok(None);
+        };
+        times.push(info.took);
+        track.push(sim.positions(0).to_vec());
+    }
+    Ok(Some((track, StepTimes::new(&mut times))))
+}
+
 /// RMS distance of the nodes from where the converged run has them, over the diagonal of the
-/// rest shape: mean over the steps, and after the last.
-fn error_against_converged(
-    scene: &Scene,
-    track: &[Vec<[f32; 3]>],
-) -> Result<Option<(f64, f64)>, Error> {
-    let mut converged = scene.clone();
-    converged.budget.iterations = CONVERGED;
-    converged.budget.polar_sweeps = CONVERGED_SWEEPS;
-    let mut sim = Sim::new(&converged)?;
+/// rest shape.
+fn error_of(scene: &Scene, track: &Track, converged: &Track) -> Option<MeanAndLast> {
     let rest = &scene.bodies[0].rest;
     let low = rest.iter().fold([f32::INFINITY; 3], |a, b| {
         std::array::from_fn(|i| a[i].min(b[i]))
@@ -66,21 +108,14 @@ fn error_against_converged(
         std::array::from_fn(|i| a[i].max(b[i]))
     });
     let diagonal = squared_distance(&low, &high).sqrt();
-
-    let (mut sum, mut last) = (0.0, 0.0);
-    for positions in track {
-        if sim.step().is_err() {
-            return Ok(None);
-        }
-        let squares: f64 = positions
-            .iter()
-            .zip(sim.positions(0))
-            .map(|(a, b)| squared_distance(a, b))
-            .sum();
-        last = (squares / positions.len() as f64).sqrt() / diagonal;
-        sum += last;
-    }
-    Ok((!track.is_empty()).then(|| (sum / track.len() as f64, last)))
+    let distance = |(positions, converged): (&Vec<[f32; 3]>, &Vec<[f32; 3]>)| {
+        let pairs = positions.iter().zip(converged);
+        let squares: f64 = pairs.map(|(a, b)| squared_distance(a, b)).sum();
+        (squares / positions.len() as f64).sqrt() / diagonal
+    };
+    let errors: Vec<f64> = track.iter().zip(converged).map(distance).collect();
+    let last = *errors.last()?;
+    Some((errors.iter().sum::<f64>() / errors.len() as f64, last))
 }
 
 fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
@@ -90,7 +125,16 @@ fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
         .sum()
 }
 
-fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64, f64)>) -> String {
+/// Name, iterations, times and error of another solver.
+type Other = (&'static str, u32, StepTimes, Option<MeanAndLast>);
+
+fn describe(
+    scene: &Scene,
+    sim: &Sim,
+    summary: &run::Summary,
+    error: Option<MeanAndLast>,
+    instead: &[Other],
+) -> String {
     let body = &scene.bodies[0];
     let memory = sim.memory();
     let budget = scene.budget;
@@ -124,8 +168,12 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
     row(
         "budget",
         format!(
-            "{} iterations and {} polar sweeps a step; {}, start {}",
-            budget.iterations, budget.polar_sweeps, scene.solver.preconditioner, scene.solver.start
+            "{} iterations and {} polar sweep{} a step; {}, start {}",
+            budget.iterations,
+            budget.polar_sweeps,
+            if budget.polar_sweeps == 1 { "" } else { "s" },
+            scene.solver.preconditioner,
+            scene.solver.start
         ),
     );
     row("", String::new());
@@ -162,6 +210,22 @@ fn describe(scene: &Scene, sim: &Sim, summary: &run::Summary, error: Option<(f64
             );
         }
         None => row("error", "unknown: the converged run was refused".into()),
+    }
+    row(
+        "choice",
+        "Jacobi: a factor of the free body knows nothing of the ground that".into(),
+    );
+    row(
+        "",
+        "holds it. Instead of Jacobi, and its mean error:".into(),
+    );
+    for (name, iterations, times, error) in instead {
+        let error = error.map_or("unknown".into(), |(mean, _)| percent(mean));
+        let time = times.median.unwrap_or(f64::NAN) * 1e6;
+        row(
+            "",
+            format!("{name}, {iterations} iterations, {time:.0} µs: {error}"),
+        );
     }
     row("energy", format!("first {}", energies(&summary.first)));
     row("", format!("last  {}", energies(&summary.last)));

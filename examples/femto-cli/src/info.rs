@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::error::Error;
 use crate::mesh::{self, Mesh, check, shape};
-use crate::sim;
+use crate::{asset_info, sim};
 
 /// How many problems are listed one by one.
 const LISTED: usize = 20;
@@ -18,6 +18,18 @@ pub fn command(path: &Path) -> Result<u8, Error> {
         file: path.display().to_string(),
         what,
     };
+    if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("femto"))
+    {
+        let bytes = std::fs::read(path).map_err(|source| Error::Read {
+            path: path.into(),
+            source,
+        })?;
+        let name = path.display().to_string();
+        crate::print(&asset_info::describe(&name, &bytes)?);
+        return Ok(0);
+    }
     let mesh = mesh::load(path).map_err(wrong)?;
     let problems = check::problems(&mesh);
     let mut text = format!("{}: {}\n", path.display(), mesh.format);

@@ -3,11 +3,14 @@
 // The letters of the papers: X at rest, x now.
 #![allow(non_snake_case)]
 
+mod asset_info;
+mod bake;
 mod demo;
 mod error;
 mod info;
 mod mesh;
 mod place;
+mod prepare;
 mod preview;
 mod report;
 mod run;
@@ -41,9 +44,11 @@ struct Cli {
 enum Command {
     /// Simulate a scene and write final.csv, trace.csv, report.json and preview.svg
     Run(run::Args),
-    /// Say how large and how good a mesh is, and everything that is wrong with it
+    /// Make an asset for a program to embed: a mesh with its material, pins and factor
+    Bake(Box<bake::Args>),
+    /// Say how large and how good a mesh is, and everything that is wrong with it; or what an asset holds
     Info {
-        /// Gmsh .msh (4.1 ASCII), or TetGen .node with its .ele beside it
+        /// Gmsh .msh (4.1 ASCII), TetGen .node with its .ele beside it, or an asset .femto
         mesh: PathBuf,
     },
 }
@@ -51,6 +56,7 @@ enum Command {
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Some(Command::Run(args)) => run::command(&args),
+        Some(Command::Bake(args)) => bake::command(&args),
         Some(Command::Info { mesh }) => info::command(&mesh),
         None => demo::command(),
     };

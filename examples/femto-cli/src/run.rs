@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::error::Error;
+use crate::prepare::Factors;
 use crate::preview::{EnergyLog, Moment, Preview};
 use crate::report::{EnergyReport, FirstAndLast, Report, StepTimes};
 use crate::scene::Scene;
@@ -48,7 +49,8 @@ pub struct Args {
 /// Returns the exit status, 0 or 3.
 pub fn command(args: &Args) -> Result<u8, Error> {
     let scene = scene::load(&args.scene)?;
-    let mut sim = Sim::new(&scene)?;
+    let factors = Factors::new(&scene)?;
+    let mut sim = Sim::new(&scene, &factors)?;
     let frames = frame_steps(args.frames, scene.steps)?;
     let summary = run(&scene, &mut sim, &args.out, &frames, args.quiet, |_| {})?;
     if let Some(why) = &summary.refused {

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 
+use femto_bake::Kind;
 use glam::DVec3;
 
 use crate::error::Error;
@@ -39,6 +40,8 @@ pub enum Preconditioner {
     Jacobi,
     BlockJacobi,
     TwoLevel,
+    /// A factor of the rest matrix, made when the scene is loaded.
+    Factored(Kind),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,7 +141,11 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
 }
 
 pub fn parse(name: &str, text: &str, meshes: &mut dyn Meshes) -> Result<Scene, Error> {
-    let raw = file::parse(name, text)?;
+    check(name, file::parse(name, text)?, meshes)
+}
+
+/// Checks a scene that was read, or put together otherwise; `name` is its name for messages.
+pub fn check(name: &str, raw: SceneFile, meshes: &mut dyn Meshes) -> Result<Scene, Error> {
     Checker { file: name }.scene(raw, meshes)
 }
 
@@ -273,9 +280,8 @@ impl Checker<'_> {
             "jacobi" => return Ok(Preconditioner::Jacobi),
             "block-jacobi" => return Ok(Preconditioner::BlockJacobi),
             "two-level" => return Ok(Preconditioner::TwoLevel),
-            "laplacian" | "warped" => {
-                "not available in this version; use identity, mass, jacobi, block-jacobi or two-level"
-            }
+            "laplacian" => return Ok(Preconditioner::Factored(Kind::Laplacian)),
+            "warped" => return Ok(Preconditioner::Factored(Kind::Warped)),
             _ => "must be identity, mass, jacobi, block-jacobi, two-level, laplacian or warped",
         };
         Err(self.wrong("solver.preconditioner", &name, why))

@@ -9,21 +9,21 @@ use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::blocks;
-use femto::material::{Material, MaterialError};
-use femto::mesh::MeshError;
-use femto::order::fans;
-use femto::owned::{OwnedBody, OwnedRest, OwnedState};
+use femto::owned::{OwnedBody, OwnedState};
+use femto::preconditioner::Factor;
 use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
-use femto::settings::{Budget, Needs, Preconditioner, Settings, SettingsError, Start};
+use femto::settings::{Needs, Preconditioner, Settings, Start};
 use femto::step::{Scene as StepScene, StepReport};
+use femto_bake::OwnedFactor;
 use serde::Serialize;
 
 use crate::error::Error;
+use crate::prepare::{self, Factors};
 use crate::scene::{self, Collider, Scene, Shape};
 
 /// The step by step life of a scene.
-pub struct Sim {
-    bodies: Vec<Body>,
+pub struct Sim<'a> {
+    bodies: Vec<Body<'a>>,
     gravity: Vec3,
     settings: Settings<'static>,
     substeps: u32,
@@ -35,23 +35,27 @@ pub struct Sim {
 }
 
 /// One body in one of the two layouts.
-struct Body {
+struct Body<'a> {
     kind: Kind,
     pins: Vec<Pin>,
+    factor: Option<Factor<'a>>,
     /// The aggregate of each node, for the two-level preconditioner.
     aggregates: Option<Vec<u8>>,
 }
 
-impl Body {
-    /// The scene's settings with what is this body's own of the preconditioner.
-    fn settings<'a>(settings: &Settings<'static>, aggregates: Option<&'a [u8]>) -> Settings<'a> {
-        let settings: Settings<'a> = *settings;
-        let own = aggregates.map(|of| {
-            let aggregates = Aggregates::new(of, DEFAULT_AGGREGATES);
-            Preconditioner::TwoLevel(aggregates.expect("made by the library"))
-        });
-        settings.with_preconditioner(own.unwrap_or(settings.preconditioner))
-    }
+/// The scene's settings with what is a body's own of the preconditioner.
+fn own_settings<'a>(
+    settings: &Settings<'static>,
+    factor: Option<&'a Factor<'a>>,
+    aggregates: Option<&'a [u8]>,
+) -> Settings<'a> {
+    let settings: Settings<'a> = *settings;
+    let coarse = aggregates.map(|of| {
+        let aggregates = Aggregates::new(of, DEFAULT_AGGREGATES);
+        Preconditioner::TwoLevel(aggregates.expect("made by the library"))
+    });
+    let own = factor.map(Preconditioner::Factored).or(coarse);
+    settings.with_preconditioner(own.unwrap_or(settings.preconditioner))
 }
 
 enum Kind {
@@ -105,39 +109,36 @@ pub struct StepInfo {
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Memory {
     pub rest: usize,
+    pub factor: usize,
     pub state: usize,
     pub workspace: usize,
 }
 
-impl Sim {
-    pub fn new(scene: &Scene) -> Result<Self, Error> {
+impl<'a> Sim<'a> {
+    pub fn new(scene: &Scene, factors: &'a Factors) -> Result<Self, Error> {
         let wrong = |key: &str, value: String, why: String| Error::Value {
             file: scene.file.clone(),
             key: key.into(),
             value,
             why,
         };
-        let settings = settings(scene).map_err(|e| {
-            let key = match e {
-                SettingsError::Theta(_) => "time.theta",
-                _ => "time.dt / budget.substeps",
-            };
-            wrong(key, format!("{:?}", scene.substep), e.to_string())
-        })?;
+        let settings = prepare::settings(scene)?;
         let mut bodies = Vec::new();
-        for (i, body) in scene.bodies.iter().enumerate() {
+        for (i, (body, factor)) in scene.bodies.iter().zip(&factors.0).enumerate() {
             let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
             let mut aggregates = aggregated.then(|| vec![0; body.rest.len()]);
-            let built = match scene.layout {
-                scene::Layout::Factored => {
-                    build(body, &settings, aggregates.as_deref_mut()).map(Kind::Factored)
-                }
-                scene::Layout::Dense => {
-                    build(body, &settings, aggregates.as_deref_mut()).map(Kind::Dense)
-                }
+            let of = aggregates.as_deref_mut();
+            let mut kind = match scene.layout {
+                scene::Layout::Factored => Kind::Factored(built(scene, i, &settings, of)?),
+                scene::Layout::Dense => Kind::Dense(built(scene, i, &settings, of)?),
             };
-            let kind = built
-                .map_err(|(key, value, why)| wrong(&format!("body[{i}].{key}"), value, why))?;
+            with!(&mut kind, built => built.place(&body.x, &body.v)).map_err(|e| {
+                wrong(
+                    &format!("body[{i}].mesh"),
+                    body.source.clone(),
+                    e.to_string(),
+                )
+            })?;
             let pin = |&(node, v): &(u32, [f32; 3])| Pin {
                 node,
                 velocity: Vec3::from_array(v),
@@ -145,6 +146,7 @@ impl Sim {
             bodies.push(Body {
                 kind,
                 pins: body.pins.iter().map(pin).collect(),
+                factor: factor.as_ref().map(OwnedFactor::view),
                 aggregates,
             });
         }
@@ -215,7 +217,11 @@ impl Sim {
                     pins: &body.pins,
                     colliders: &colliders,
                 };
-                let settings = Body::settings(&self.settings, body.aggregates.as_deref());
+                let settings = own_settings(
+                    &self.settings,
+                    body.factor.as_ref(),
+                    body.aggregates.as_deref(),
+                );
                 let begin = Instant::now();
                 let report: StepReport =
                     with!(&mut body.kind, body => body.step(&scene, &settings));
@@ -288,10 +294,11 @@ impl Sim {
     pub fn memory(&self) -> Memory {
         let mut sum = Memory::default();
         for body in &self.bodies {
-            let settings = Body::settings(&self.settings, body.aggregates.as_deref());
+            let settings = own_settings(&self.settings, None, body.aggregates.as_deref());
             let needs = Needs::from(&settings);
             let one = with!(&body.kind, body => memory_of(body, needs));
             sum.rest += one.rest;
+            sum.factor += body.factor.as_ref().map_or(0, Factor::bytes);
             sum.state += one.state;
             sum.workspace = sum.workspace.max(one.workspace);
         }
@@ -299,77 +306,26 @@ impl Sim {
     }
 }
 
-fn settings(scene: &Scene) -> Result<Settings<'static>, SettingsError> {
-    let start = match scene.start {
-        scene::Start::Zero => Start::Zero,
-        scene::Start::Velocity => Start::Velocity,
-        scene::Start::VelocityForce => Start::VelocityForce,
-        scene::Start::Galerkin(m) => Start::Galerkin(m),
-        scene::Start::Rigid(m) => Start::Rigid(m),
-    };
-    let preconditioner = match scene.preconditioner {
-        scene::Preconditioner::Identity => Preconditioner::Identity,
-        scene::Preconditioner::Mass => Preconditioner::Mass,
-        scene::Preconditioner::Jacobi => Preconditioner::Jacobi,
-        scene::Preconditioner::BlockJacobi => Preconditioner::BlockJacobi,
-        // With aggregates, body by body: see [`Body::settings`].
-        scene::Preconditioner::TwoLevel => Preconditioner::BlockJacobi,
-    };
-    let budget = Budget {
-        iterations: scene.budget.iterations,
-        polar_sweeps: scene.budget.polar_sweeps,
-    };
-    let settings = Settings::new(scene.substep as f32)?.with_theta(scene.theta)?;
-    Ok(settings
-        .with_budget(budget)
-        .with_start(start)
-        .with_preconditioner(preconditioner))
-}
-
-/// The key of the body that is wrong, its value, and why.
-type Wrong = (&'static str, String, String);
-
-fn build<L: Layout>(
-    body: &scene::Body,
+fn built<L: Layout>(
+    scene: &Scene,
+    body: usize,
     settings: &Settings<'static>,
     aggregates: Option<&mut [u8]>,
-) -> Result<Box<OwnedBody<L>>, Wrong> {
-    let material = Material::new(body.young, body.poisson, body.density)
-        .and_then(|m| m.with_damping(body.alpha, body.beta))
-        .map_err(|e| {
-            let (key, value) = match e {
-                MaterialError::Young(x) => ("young", x),
-                MaterialError::Poisson(x) => ("poisson", x),
-                MaterialError::Alpha(x) => ("alpha", x),
-                MaterialError::Beta(x) => ("beta", x),
-                MaterialError::Density(x) => ("density", x),
-                _ => ("young", body.young),
-            };
-            (key, format!("{value:?}"), e.to_string())
-        })?;
-    let mesh = |e: &dyn std::fmt::Display| ("mesh", body.source.clone(), e.to_string());
-    femto::mesh::Mesh::new(&body.rest, &body.tets).map_err(|e| mesh(&e))?;
-    let ordered = fans(&body.tets);
-    let checked = femto::mesh::Mesh::new(&body.rest, &ordered.tets).map_err(|e| mesh(&e))?;
-    let rest = OwnedRest::<L>::new(&checked, &material).map_err(|e| match e {
-        MeshError::OutOfScale { tet } => mesh(&MeshError::OutOfScale {
-            tet: ordered
-                .original
-                .get(tet as usize)
-                .map_or(tet, |&t| t as u32),
-        }),
-        _ => mesh(&e),
-    })?;
+) -> Result<Box<OwnedBody<L>>, Error> {
+    let rest = prepare::rest::<L>(scene, body)?;
     let needs = match aggregates {
         Some(of) => {
-            Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, of).map_err(|e| mesh(&e))?;
-            Needs::from(&Body::settings(settings, Some(of)))
+            Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, of).map_err(|e| Error::Value {
+                file: scene.file.clone(),
+                key: format!("body[{body}].mesh"),
+                value: scene.bodies[body].source.clone(),
+                why: e.to_string(),
+            })?;
+            Needs::from(&own_settings(settings, None, Some(of)))
         }
         None => Needs::from(settings),
     };
-    let mut built = OwnedBody::from_rest(rest, needs);
-    built.place(&body.x, &body.v).map_err(|e| mesh(&e))?;
-    Ok(Box::new(built))
+    Ok(Box::new(OwnedBody::from_rest(rest, needs)))
 }
 
 /// Where a collider is at a time; `substep` of a moving one goes on from there.
@@ -399,6 +355,7 @@ fn needed<L: Layout>(nodes: usize, tets: usize, needs: Needs) -> Memory {
     let blocks = blocks(tets);
     Memory {
         rest: rest_bytes::<L>(nodes, blocks),
+        factor: 0,
         state: state_bytes(nodes, blocks, needs.history),
         workspace: workspace_bytes::<L>(nodes, blocks, needs.vectors)
             + needs.coarse * size_of::<f32>(),

@@ -49,7 +49,6 @@ const ROWS: &[(&str, &str, &str)] = &[
     ("[time]", "[solver]\nstart = \"rigid-999\"\n[time]", "scene.toml: solver.start = \"rigid-999\": must be zero, ..."),
     ("[time]", "[solver]\nlayout = \"sparse\"\n[time]", "scene.toml: solver.layout = \"sparse\": must be factored or dense"),
     ("[time]", "[solver]\npreconditioner = \"ilu\"\n[time]", "scene.toml: solver.preconditioner = \"ilu\": must be identity, ..."),
-    ("[time]", "[solver]\npreconditioner = \"warped\"\n[time]", "scene.toml: solver.preconditioner = \"warped\": not available in this version; ..."),
     // material
     ("young = 1e5", "young = 0", "scene.toml: body[0].young = 0.0: must be above 0"),
     ("young = 1e5", "young = -1e5", "scene.toml: body[0].young = -100000.0: must be above 0"),

@@ -10,6 +10,8 @@
 #[path = "../clock.rs"]
 #[allow(dead_code, reason = "the benchmark uses more of it")]
 mod clock;
+#[path = "../gmsh.rs"]
+mod gmsh;
 #[path = "../mesh.rs"]
 #[allow(dead_code, reason = "the benchmark uses more of it")]
 mod mesh;
@@ -67,7 +69,7 @@ fn main() {
 }
 
 fn snowman() -> Case {
-    let (nodes, tets) = msh(concat!(
+    let (nodes, tets) = gmsh::load(concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../femto-cli/meshes/snowman.msh"
     ));
@@ -102,7 +104,7 @@ fn cantilever() -> Case {
 
 /// Scaled to a tenth and turned by 180° about y.
 fn own(file: &str, node: usize, radius: f32) -> Case {
-    let (mut nodes, tets) = msh(file);
+    let (mut nodes, tets) = gmsh::load(file);
     for x in &mut nodes {
         *x = [-0.1 * x[0], 0.1 * x[1], -0.1 * x[2]];
     }
@@ -126,35 +128,6 @@ fn near(nodes: &[[f32; 3]], inside: impl Fn([f32; 3]) -> bool) -> Vec<u32> {
         .filter(|(_, x)| inside(**x))
         .map(|(i, _)| i)
         .collect()
-}
-
-fn msh(file: &str) -> (Vec<[f32; 3]>, Vec<[u32; 4]>) {
-    let bytes = std::fs::read(file).unwrap_or_else(|e| panic!("{file}: {e}"));
-    let msh = mshio::parse_msh_bytes(&bytes).unwrap_or_else(|e| panic!("{file}: {e:?}"));
-    let nodes = msh.data.nodes.expect("nodes");
-    let mut numbers = std::collections::HashMap::new();
-    let mut out = Vec::new();
-    for block in &nodes.node_blocks {
-        for (k, node) in block.nodes.iter().enumerate() {
-            let tag = block
-                .node_tags
-                .as_ref()
-                .map_or(out.len() as u64 + 1, |tags| {
-                    *tags.iter().find(|(_, at)| **at == k).expect("a tag").0
-                });
-            numbers.insert(tag, out.len() as u32);
-            out.push([node.x as f32, node.y as f32, node.z as f32]);
-        }
-    }
-    let mut tets = Vec::new();
-    for block in &msh.data.elements.expect("elements").element_blocks {
-        if block.element_type == mshio::ElementType::Tet4 {
-            for element in &block.elements {
-                tets.push(std::array::from_fn(|c| numbers[&element.nodes[c]]));
-            }
-        }
-    }
-    (out, tets)
 }
 
 fn report(case: &Case) {
