@@ -1,7 +1,7 @@
 //! The stiffness of one tetrahedron as rigid motions of groups of its corners see it.
 
 use crate::algebra::{add3, dot3, mul_vec, neg3, scale3, zero3};
-use crate::element::{Dense, Factored, Layout, balanced, stress};
+use crate::element::{Dense, Factored, Layout, balanced, edges, stress};
 use crate::lane::{Lanes, Real};
 use crate::rest::TetBlock;
 
@@ -152,7 +152,7 @@ impl Fold for Dense {
         (to_members, to_d): &Self::Folded<R>,
     ) -> [R; 6] {
         let u = core::array::from_fn(|c| scale3(&motion(mode, &d[c]), members[c]));
-        let f = Self::product(tet, rotated, at, scale, &u);
+        let f = balanced(Self::product(tet, rotated, at, scale, &edges(&u)));
         let parts: [_; 4] =
             core::array::from_fn(|c| restricted(&to_d[c], &f[c]).map(|part| part * to_members[c]));
         core::array::from_fn(|m| (parts[0][m] + parts[1][m]) + (parts[2][m] + parts[3][m]))
