@@ -1,14 +1,33 @@
 //! The assembled matrix that femto does without: 3×3 blocks, rows sorted, both triangles.
 
+use nalgebra::RealField;
 use wide::f32x4;
 
+/// The numbers of a matrix, and the fastest product that there is for them.
+pub trait Scalar: RealField + Copy + Default {
+    /// `out` = A u
+    fn product(matrix: &BlockCsr<Self>, u: &[[Self; 3]], out: &mut [[Self; 3]]);
+}
+
+impl Scalar for f32 {
+    fn product(matrix: &BlockCsr<Self>, u: &[[Self; 3]], out: &mut [[Self; 3]]) {
+        matrix.product_in_lanes(u, out);
+    }
+}
+
+impl Scalar for f64 {
+    fn product(matrix: &BlockCsr<Self>, u: &[[Self; 3]], out: &mut [[Self; 3]]) {
+        matrix.product(u, out);
+    }
+}
+
 /// The sparsity pattern of a mesh, and a matrix in it.
-pub struct BlockCsr {
+pub struct BlockCsr<T = f32> {
     /// First entry of each row, and the end of the last.
     starts: Vec<u32>,
     columns: Vec<u32>,
     /// Nine floats a block, by columns, and three more: the last block can be read as twelve.
-    values: Vec<f32>,
+    values: Vec<T>,
     /// Entry of each node's diagonal block.
     diagonal: Vec<u32>,
     /// Entries of each tetrahedron's blocks, `[row corner][column corner]`.
@@ -23,7 +42,7 @@ pub struct Element {
     pub mu: f32,
 }
 
-impl BlockCsr {
+impl<T: Scalar> BlockCsr<T> {
     /// The pattern of a mesh, all zeros.
     pub fn new(nodes: usize, tets: &[[u32; 4]]) -> Self {
         let mut neighbours: Vec<Vec<u32>> = (0..nodes as u32).map(|node| vec![node]).collect();
@@ -47,7 +66,7 @@ impl BlockCsr {
             .iter()
             .map(|tet| tet.map(|i| tet.map(|j| entry(i, j))))
             .collect();
-        let values = vec![0.0; 9 * columns.len() + 3];
+        let values = vec![T::zero(); 9 * columns.len() + 3];
         Self {
             starts,
             columns,
@@ -58,8 +77,8 @@ impl BlockCsr {
     }
 
     /// Zero but for the masses on the diagonal.
-    pub fn clear(&mut self, masses: impl Iterator<Item = f32>) {
-        self.values.fill(0.0);
+    pub fn clear(&mut self, masses: impl Iterator<Item = T>) {
+        self.values.fill(T::zero());
         for (&entry, mass) in self.diagonal.iter().zip(masses) {
             for axis in 0..3 {
                 self.values[9 * entry as usize + 4 * axis] = mass;
@@ -69,7 +88,7 @@ impl BlockCsr {
 
     /// Adds the blocks of one tetrahedron, by columns.
     #[inline]
-    pub fn add(&mut self, tet: usize, block: impl Fn(usize, usize) -> [f32; 9]) {
+    pub fn add(&mut self, tet: usize, block: impl Fn(usize, usize) -> [T; 9]) {
         let slots = self.slots[tet];
         for (i, row) in slots.iter().enumerate() {
             for (j, &entry) in row.iter().enumerate() {
@@ -81,6 +100,41 @@ impl BlockCsr {
         }
     }
 
+    /// `out` = A u, as one writes it.
+    pub fn product(&self, u: &[[T; 3]], out: &mut [[T; 3]]) {
+        let (blocks, _) = self.values.as_chunks::<9>();
+        for (out, row) in out.iter_mut().zip(self.starts.windows(2)) {
+            let row = row[0] as usize..row[1] as usize;
+            let mut sum = [T::zero(); 3];
+            for (k, &column) in blocks[row.clone()].iter().zip(&self.columns[row]) {
+                let [x, y, z] = u[column as usize];
+                for axis in 0..3 {
+                    sum[axis] += k[axis] * x + k[3 + axis] * y + k[6 + axis] * z;
+                }
+            }
+            *out = sum;
+        }
+    }
+
+    /// Row, column and entries (by columns) of every block.
+    pub fn blocks(&self) -> impl Iterator<Item = (usize, usize, &[T])> {
+        let rows = self.starts.windows(2).enumerate();
+        let places = rows.flat_map(|(i, row)| (row[0]..row[1]).map(move |entry| (i, entry)));
+        places.map(|(i, entry)| {
+            let (j, at) = (self.columns[entry as usize], 9 * entry as usize);
+            (i, j as usize, &self.values[at..at + 9])
+        })
+    }
+
+    /// The diagonal.
+    pub fn diagonal(&self) -> impl Iterator<Item = [T; 3]> {
+        self.diagonal
+            .iter()
+            .map(|&entry| [0, 4, 8].map(|k| self.values[9 * entry as usize + k]))
+    }
+}
+
+impl BlockCsr {
     /// Assembles M + K anew: K_ij = λ G_i G_jᵀ + μ (G_i·G_j) I + μ G_j G_iᵀ.
     pub fn refill(&mut self, inertia: &[f32], elements: &[Element]) {
         self.clear(inertia.iter().copied());
@@ -104,22 +158,6 @@ impl BlockCsr {
         }
     }
 
-    /// `out` = A u, as one writes it.
-    pub fn product(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
-        let (blocks, _) = self.values.as_chunks::<9>();
-        for (out, row) in out.iter_mut().zip(self.starts.windows(2)) {
-            let row = row[0] as usize..row[1] as usize;
-            let mut sum = [0.0_f32; 3];
-            for (k, &column) in blocks[row.clone()].iter().zip(&self.columns[row]) {
-                let [x, y, z] = u[column as usize];
-                for axis in 0..3 {
-                    sum[axis] += k[axis] * x + k[3 + axis] * y + k[6 + axis] * z;
-                }
-            }
-            *out = sum;
-        }
-    }
-
     /// `out` = A u, a column of three in four lanes.
     pub fn product_in_lanes(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         for (out, row) in out.iter_mut().zip(self.starts.windows(2)) {
@@ -136,12 +174,5 @@ impl BlockCsr {
             let [x, y, z, _] = (sums[0] + sums[1] + sums[2]).to_array();
             *out = [x, y, z];
         }
-    }
-
-    /// The diagonal.
-    pub fn diagonal(&self) -> impl Iterator<Item = [f32; 3]> {
-        self.diagonal
-            .iter()
-            .map(|&entry| [0, 4, 8].map(|k| self.values[9 * entry as usize + k]))
     }
 }

@@ -4,9 +4,10 @@ use femto::element::Factored;
 use femto::lane::Native;
 use femto::settings::{Budget, Settings, Start};
 
-use crate::baseline::Baseline;
-use crate::csr::BlockCsr;
-use crate::kernels::{Body, DT};
+use femto_bench::baseline::Stop;
+use femto_bench::csr::BlockCsr;
+
+use crate::kernels::{Body, DT, baseline};
 use crate::mesh::Scene;
 
 /// Both are sums of some 60 products per component, in different orders.
@@ -48,8 +49,8 @@ pub fn steps(scene: &Scene, body: &Body<Factored>) {
         let settings = Settings::new(DT).expect("a positive time step");
         let mut ours = body.stepper(settings.with_start(Start::Velocity).with_budget(budget));
         ours.step::<Native>();
-        let mut theirs = Baseline::new(scene, body);
-        theirs.step(iterations);
+        let mut theirs = baseline(scene);
+        theirs.step(Stop::After(iterations));
         agree(
             &format!("baseline step of {iterations} iterations"),
             STEP,

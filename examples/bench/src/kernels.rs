@@ -10,7 +10,9 @@ use femto::rest::Rest;
 use femto::settings::{Settings, Start};
 use femto::step::{self, step};
 
-use crate::clock::Kernel;
+use femto_bench::baseline::{Baseline, Setup};
+use femto_bench::clock::Kernel;
+
 use crate::mesh::Scene;
 
 /// Time step, seconds.
@@ -27,11 +29,31 @@ pub struct Body<L: Layout> {
     pub inertia: Vec<f32>,
 }
 
+/// Rubber.
+fn material() -> Material {
+    Material::new(1e6, 0.4, 1000.0).expect("a valid material")
+}
+
+/// The same body in the usual pipeline.
+pub fn baseline(scene: &Scene) -> Baseline {
+    let (lambda, mu) = material().lame();
+    let mut body = Baseline::new(&Setup {
+        nodes: &scene.nodes,
+        tets: &scene.tets,
+        lame: [lambda, mu],
+        density: 1000.0,
+        gravity: [0.0; 3],
+        held: &[],
+        dt: DT.into(),
+    });
+    body.place(&scene.x, &scene.v);
+    body
+}
+
 impl<L: Layout> Body<L> {
-    /// Rubber.
     pub fn new(scene: &Scene) -> Self {
         let mesh = Mesh::new(&scene.nodes, &scene.tets).expect("a valid mesh");
-        let material = Material::new(1e6, 0.4, 1000.0).expect("a valid material");
+        let material = material();
         let rest = OwnedRest::new(&mesh, &material).expect("masses and stiffnesses in range");
         let view = rest.view();
         let mut rotations = vec![RotationBlock::ZERO; view.blocks.len()];

@@ -8,9 +8,6 @@
 //!
 //! `--quick` takes a few seconds; with `--check` the exit code is 1 where a target is missed.
 
-mod baseline;
-mod clock;
-mod csr;
 mod guard;
 mod kernels;
 mod mesh;
@@ -27,10 +24,10 @@ use femto_bake::{FactorOptions, Kind, OwnedFactor, Precision, factor};
 use nalgebra::Matrix3;
 use wide::{f32x4, f32x8};
 
-use baseline::Baseline;
-use clock::{Effort, Kernel};
-use csr::{BlockCsr, Element};
-use kernels::{Body, DENSE, DT, FACTORED, kernels, polar};
+use femto_bench::baseline::Stop;
+use femto_bench::clock::{self, Effort, Kernel};
+use femto_bench::csr::{BlockCsr, Element};
+use kernels::{Body, DENSE, DT, FACTORED, baseline, kernels, polar};
 use mesh::{Scene, box_scene};
 use report::{Table, targets};
 use two_level::{Coarse, two_level};
@@ -122,7 +119,7 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
         vec![[0.0; 3]; scene.nodes.len()],
         vec![[0.0; 3]; scene.nodes.len()],
     );
-    let rotations_only = Baseline::new(scene, &body);
+    let rotations_only = baseline(scene);
     let mut rotations = vec![Matrix3::identity(); scene.tets.len()];
     let mut all = vec![
         Kernel::new(PLAIN, 1, || matrix.product(&body.v, &mut plain)),
@@ -134,9 +131,9 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
         Kernel::after(
             BASELINE,
             1,
-            Baseline::new(scene, &body),
-            |b| b.reset(scene),
-            |b| b.step(5),
+            baseline(scene),
+            |b| b.place(&scene.x, &scene.v),
+            |b| _ = b.step(Stop::After(5)),
         ),
     ];
     for ((row, _), factor) in FACTORS.iter().zip(&made) {

@@ -2,9 +2,9 @@
 
 use femto::lane::{Lanes, Native};
 
-use crate::clock::Kernel;
 use crate::kernels::{FACTORED, TWO_SWEEPS};
 use crate::{BASELINE, FACTORS, IN_LANES, PLAIN, REFILL};
+use femto_bench::clock::Kernel;
 
 /// Seconds per run on one mesh, by row and lane width.
 pub struct Table {
