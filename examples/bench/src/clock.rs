@@ -7,12 +7,14 @@
 
 use std::time::Duration;
 
+/// A point in time, from an arbitrary start.
 #[cfg(unix)]
 pub fn now() -> Duration {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }
 
+/// A point in time, from an arbitrary start.
 #[cfg(not(unix))]
 pub fn now() -> Duration {
     static START: std::sync::LazyLock<std::time::Instant> =

@@ -1,0 +1,96 @@
+//! Speed against error, in one command:
+//!
+//! ```text
+//! cargo run --release -p femto-study [-- --quick] [--out DIR] [--only CHAPTER]
+//! ```
+//!
+//! writes a folder with report.md, its plots (SVG and PNG) and its data (CSV).
+
+mod chapters;
+mod measure;
+mod method;
+mod methods;
+mod output;
+mod plot;
+mod problem;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::Parser;
+
+use chapters::peers;
+use output::{Done, Output};
+
+/// Speed against error: the study of Dahl and Bargteil redone, other methods at equal time, closed
+/// forms, hard cases.
+#[derive(Parser)]
+struct Args {
+    /// Smaller bodies and fewer budgets: under a minute.
+    #[arg(long)]
+    quick: bool,
+    /// Where the report goes.
+    #[arg(long, default_value = "femto-study-out")]
+    out: PathBuf,
+    /// Only these chapters.
+    #[arg(long)]
+    only: Vec<String>,
+}
+
+/// How much to do, and where progress is told.
+pub struct Run {
+    pub quick: bool,
+    begin: Instant,
+}
+
+impl Run {
+    /// Tells where the run is.
+    pub fn progress(&self, what: &str) {
+        eprintln!("{:6.1} s  {what}", self.begin.elapsed().as_secs_f64());
+    }
+}
+
+type Chapter = fn(&Run, &mut Output) -> Done;
+
+const CHAPTERS: &[(&str, Chapter)] = &[("peers", peers::chapter)];
+
+fn main() -> ExitCode {
+    match study(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn study(args: &Args) -> Done {
+    if let Some(unknown) = args
+        .only
+        .iter()
+        .find(|name| CHAPTERS.iter().all(|(c, _)| c != name))
+    {
+        let known: Vec<_> = CHAPTERS.iter().map(|(name, _)| *name).collect();
+        return Err(format!("no chapter {unknown}; there are {}", known.join(", ")).into());
+    }
+    plot::register_font()?;
+    let mut out = Output::new(&args.out)?;
+    let run = Run {
+        quick: args.quick,
+        begin: Instant::now(),
+    };
+    out.text("# Speed against error");
+    for (name, chapter) in CHAPTERS {
+        if args.only.is_empty() || args.only.iter().any(|only| only == name) {
+            run.progress(&format!("chapter {name}"));
+            chapter(&run, &mut out)?;
+            out.save()?;
+        }
+    }
+    run.progress(&format!(
+        "written: {}",
+        args.out.join("report.md").display()
+    ));
+    Ok(())
+}

@@ -1,0 +1,123 @@
+//! References, errors and times.
+
+use femto_bench::baseline::Stop;
+use femto_bench::clock;
+
+use crate::method::{Contender, Method};
+use crate::methods::explicit;
+use crate::problem::{H, Problem};
+
+/// Positions after every step.
+pub type Track = Vec<Vec<[f64; 3]>>;
+
+/// What a problem's runs are compared with.
+pub struct References {
+    /// Explicit integration in f64 at a small fraction of its stable step.
+    pub truth: Track,
+    /// The same step size, every linear system solved: what a truncated solve aims at.
+    pub converged: Track,
+    diagonal: f64,
+}
+
+impl References {
+    pub fn new(problem: &Problem) -> Self {
+        Self {
+            truth: explicit::truth(problem),
+            converged: converged(problem, H),
+            diagonal: problem.diagonal(),
+        }
+    }
+}
+
+/// The usual pipeline in f64, solved to r·r ≤ 1e-20 b·b.
+fn converged(problem: &Problem, h: f64) -> Track {
+    let mut body = problem.baseline::<f64>(h);
+    let steps = 0..problem.steps;
+    steps
+        .map(|_| {
+            body.step(Stop::At(1e-20));
+            body.x.clone()
+        })
+        .collect()
+}
+
+/// What a run came to.
+#[derive(Clone)]
+pub struct Outcome {
+    pub family: String,
+    pub budget: String,
+    /// Seconds a step of the problem.
+    pub seconds: f64,
+    /// Mean over the steps of the RMS distance of the nodes, over the bounding box's diagonal.
+    pub to_truth: f64,
+    pub to_converged: f64,
+}
+
+impl Outcome {
+    pub fn name(&self) -> String {
+        format!("{}, {}", self.family, self.budget)
+    }
+}
+
+/// Runs a contender `repeats` times. Each step counts with its fastest time: what a machine that others
+/// use adds is left out, what the method itself needs more in some steps is not.
+pub fn run(problem: &Problem, to: &References, contender: &Contender, repeats: u32) -> Outcome {
+    let dt = H / f64::from(contender.substeps);
+    let mut times = vec![f64::INFINITY; problem.steps];
+    let mut track = Vec::new();
+    for repeat in 0..repeats.max(1) {
+        let mut method = (contender.build)(problem, dt);
+        for time in &mut times {
+            let begin = clock::now();
+            for _ in 0..contender.substeps {
+                method.step();
+            }
+            *time = time.min((clock::now() - begin).as_secs_f64());
+            if repeat == 0 {
+                track.push(method.positions());
+            }
+        }
+    }
+    Outcome {
+        family: contender.family.clone(),
+        budget: contender.budget.clone(),
+        seconds: times.iter().sum::<f64>() / times.len() as f64,
+        to_truth: error(&track, &to.truth, to.diagonal),
+        to_converged: error(&track, &to.converged, to.diagonal),
+    }
+}
+
+/// Mean over time of the RMS distance over the diagonal; infinite where it ever is.
+pub fn error(track: &[Vec<[f64; 3]>], reference: &[Vec<[f64; 3]>], diagonal: f64) -> f64 {
+    let frames = track.iter().zip(reference);
+    let sum: f64 = frames.map(|(a, b)| distance(a, b) / diagonal).sum();
+    let mean = sum / track.len() as f64;
+    if mean.is_finite() {
+        mean
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// RMS distance of the nodes, metres.
+pub fn distance(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+    let squares = a
+        .iter()
+        .zip(b)
+        .map(|(a, b)| square([0, 1, 2].map(|k| a[k] - b[k])));
+    (squares.sum::<f64>() / a.len() as f64).sqrt()
+}
+
+pub fn square(u: [f64; 3]) -> f64 {
+    u[0] * u[0] + u[1] * u[1] + u[2] * u[2]
+}
+
+/// ½ Σ m v²
+pub fn kinetic(masses: &[f32], method: &dyn Method) -> f64 {
+    let v = method.velocities();
+    let each = masses
+        .iter()
+        .zip(&v)
+        .map(|(m, v)| 0.5 * f64::from(*m) * square(*v));
+    each.sum()
+}
