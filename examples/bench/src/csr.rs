@@ -1,5 +1,8 @@
 //! The assembled matrix that femto does without: 3×3 blocks, rows sorted, both triangles.
 
+use femto::operator::RotationBlock;
+use femto::polar;
+use femto::rest::Rest;
 use nalgebra::RealField;
 use wide::f32x4;
 
@@ -175,4 +178,25 @@ impl BlockCsr {
             *out = [x, y, z];
         }
     }
+}
+
+/// The rotated gradients of a body, tetrahedron by tetrahedron, in the units of femto's operator.
+pub fn elements(rest: &Rest<'_>, rotations: &[RotationBlock], stiffness: f32) -> Vec<Element> {
+    let unit = rest.header.length_unit;
+    let tets = 0..rest.header.tets as usize;
+    tets.map(|tet| {
+        let (block, lane) = (&rest.blocks[tet / 8], tet % 8);
+        let q = polar::matrix(&rotations[tet / 8].0.map(|component| component[lane]));
+        let g: [[f32; 3]; 3] = block.gradients.map(|g| {
+            let g = g.map(|axis| axis[lane]);
+            q.map(|row| unit * (row[0] * g[0] + row[1] * g[1] + row[2] * g[2]))
+        });
+        let first = [0, 1, 2].map(|axis| -(g[0][axis] + g[1][axis] + g[2][axis]));
+        Element {
+            gradients: [first, g[0], g[1], g[2]],
+            lambda: stiffness * block.lambda_v[lane],
+            mu: stiffness * block.mu_v[lane],
+        }
+    })
+    .collect()
 }

@@ -26,7 +26,7 @@ use wide::{f32x4, f32x8};
 
 use femto_bench::baseline::Stop;
 use femto_bench::clock::{self, Effort, Kernel};
-use femto_bench::csr::{BlockCsr, Element};
+use femto_bench::csr::{BlockCsr, elements};
 use kernels::{Body, DENSE, DT, FACTORED, baseline, kernels, polar};
 use mesh::{Scene, box_scene};
 use report::{Table, targets};
@@ -100,7 +100,7 @@ fn measure(scene: &Scene, effort: Effort) -> Table {
     let dense = Body::<Dense>::new(scene);
     let coarse = Coarse::new(&body);
     let operator = body.operator();
-    let elements = elements(&body, operator.stiffness);
+    let elements = elements(&body.rest.view(), &body.rotations, operator.stiffness);
     let mut matrix = BlockCsr::new(scene.nodes.len(), &scene.tets);
     matrix.refill(operator.inertia, &elements);
     println!(
@@ -182,26 +182,4 @@ fn of_width<'a, R: Lanes + 'a>(
     all.extend(polar::<R, Factored>(body));
     all.extend(two_level::<R>(body, coarse));
     all
-}
-
-/// The rotated gradients, tetrahedron by tetrahedron, in the units of the operator.
-fn elements(body: &Body<Factored>, stiffness: f32) -> Vec<Element> {
-    let rest = body.rest.view();
-    let unit = rest.header.length_unit;
-    let tets = 0..rest.header.tets as usize;
-    tets.map(|tet| {
-        let (block, lane) = (&rest.blocks[tet / 8], tet % 8);
-        let q = femto::polar::matrix(&body.rotations[tet / 8].0.map(|component| component[lane]));
-        let g: [[f32; 3]; 3] = block.gradients.map(|g| {
-            let g = g.map(|axis| axis[lane]);
-            q.map(|row| unit * (row[0] * g[0] + row[1] * g[1] + row[2] * g[2]))
-        });
-        let first = [0, 1, 2].map(|axis| -(g[0][axis] + g[1][axis] + g[2][axis]));
-        Element {
-            gradients: [first, g[0], g[1], g[2]],
-            lambda: stiffness * block.lambda_v[lane],
-            mu: stiffness * block.mu_v[lane],
-        }
-    })
-    .collect()
 }

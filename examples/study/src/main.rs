@@ -20,7 +20,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use chapters::peers;
+use chapters::{paper, peers, spin};
 use output::{Done, Output};
 
 /// Speed against error: the study of Dahl and Bargteil redone, other methods at equal time, closed
@@ -53,7 +53,11 @@ impl Run {
 
 type Chapter = fn(&Run, &mut Output) -> Done;
 
-const CHAPTERS: &[(&str, Chapter)] = &[("peers", peers::chapter)];
+const CHAPTERS: &[(&str, Chapter)] = &[
+    ("paper", paper::chapter),
+    ("peers", peers::chapter),
+    ("spin", spin::chapter),
+];
 
 fn main() -> ExitCode {
     match study(&Args::parse()) {

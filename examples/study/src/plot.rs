@@ -5,8 +5,8 @@ use std::path::Path;
 
 use epaint_default_fonts::UBUNTU_LIGHT;
 use plotters::coord::Shift;
-use plotters::coord::ranged1d::{AsRangedCoord, Ranged};
 use plotters::coord::ranged1d::ValueFormatter;
+use plotters::coord::ranged1d::{AsRangedCoord, Ranged};
 use plotters::prelude::*;
 
 /// One curve; points that are not finite are left out.
