@@ -11,6 +11,7 @@ mod measure;
 mod method;
 mod methods;
 mod output;
+mod pareto;
 mod plot;
 mod problem;
 
@@ -56,6 +57,7 @@ type Chapter = fn(&Run, &mut Output) -> Done;
 const CHAPTERS: &[(&str, Chapter)] = &[
     ("paper", paper::chapter),
     ("peers", peers::chapter),
+    ("relative", peers::relative),
     ("spin", spin::chapter),
 ];
 

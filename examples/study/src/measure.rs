@@ -51,6 +51,8 @@ pub struct Outcome {
     /// Mean over the steps of the RMS distance of the nodes, over the bounding box's diagonal.
     pub to_truth: f64,
     pub to_converged: f64,
+    /// RMS over the run of the tip's distance to the converged one, over its travel.
+    pub tip: f64,
 }
 
 impl Outcome {
@@ -84,6 +86,36 @@ pub fn run(problem: &Problem, to: &References, contender: &Contender, repeats: u
         seconds: times.iter().sum::<f64>() / times.len() as f64,
         to_truth: error(&track, &to.truth, to.diagonal),
         to_converged: error(&track, &to.converged, to.diagonal),
+        tip: tip_error(problem, &track, &to.converged),
+    }
+}
+
+/// The tip is where x is largest at rest.
+fn tip_error(problem: &Problem, track: &Track, reference: &Track) -> f64 {
+    let nodes = &problem.nodes;
+    let far = nodes.iter().map(|x| x[0]).fold(f32::MIN, f32::max);
+    let tip: Vec<usize> = (0..nodes.len())
+        .filter(|&i| nodes[i][0] > far - 1e-4)
+        .collect();
+    let at = |x: &Vec<[f64; 3]>| {
+        [0, 1, 2].map(|a| tip.iter().map(|&i| x[i][a]).sum::<f64>() / tip.len() as f64)
+    };
+    let start = at(&crate::method::widened(nodes));
+    let minus = |a: [f64; 3], b: [f64; 3]| square([0, 1, 2].map(|k| a[k] - b[k]));
+    let travel = reference
+        .iter()
+        .map(|x| minus(at(x), start))
+        .fold(0.0, f64::max);
+    let squares: f64 = track
+        .iter()
+        .zip(reference)
+        .map(|(x, y)| minus(at(x), at(y)))
+        .sum();
+    let error = (squares / track.len() as f64 / travel).sqrt();
+    if error.is_finite() {
+        error
+    } else {
+        f64::INFINITY
     }
 }
 

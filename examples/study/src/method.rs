@@ -40,10 +40,6 @@ impl Contender {
             build: Box::new(move |problem, dt| Box::new(build(problem, dt))),
         }
     }
-
-    pub fn name(&self) -> String {
-        format!("{}, {}", self.family, self.budget)
-    }
 }
 
 /// f32 as f64.

@@ -32,7 +32,9 @@ pub struct Plot {
     pub series: Vec<Series>,
 }
 
-const SIZE: (u32, u32) = (900, 540);
+const SIZE: (u32, u32) = (980, 520);
+/// Of the part left of the legend.
+const CHART: i32 = 720;
 /// Okabe and Ito's colours, that most people can tell apart.
 const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 0, 0),
@@ -44,6 +46,12 @@ const COLOURS: [RGBColor; 8] = [
     RGBColor(213, 94, 0),
     RGBColor(148, 148, 60),
 ];
+
+/// Curves beyond the number of colours are thin.
+fn stroke(index: usize) -> ShapeStyle {
+    let width = if index < COLOURS.len() { 3 } else { 1 };
+    COLOURS[index % COLOURS.len()].stroke_width(width)
+}
 
 /// The font of the plots, for backends that draw their own text.
 pub fn register_font() -> Result<(), Box<dyn Error>> {
@@ -65,6 +73,9 @@ impl Plot {
         B::ErrorType: 'static,
     {
         area.fill(&WHITE)?;
+        let (chart, legend) = area.split_horizontally(CHART);
+        self.legend(&legend)?;
+        let area = &chart;
         let [x, y] = [0, 1].map(|axis| self.range(axis));
         let (lx, ly) = (x.clone().log_scale(), y.clone().log_scale());
         match self.log {
@@ -106,35 +117,35 @@ impl Plot {
             .label_style(("sans-serif", 14))
             .draw()?;
         for (index, series) in self.series.iter().enumerate() {
-            let colour = COLOURS[index % COLOURS.len()];
-            let width = if index < COLOURS.len() { 2 } else { 1 };
             let points: Vec<_> = series
                 .points
                 .iter()
                 .copied()
                 .filter(|p| self.shown(*p))
                 .collect();
-            chart
-                .draw_series(LineSeries::new(
-                    points.iter().copied(),
-                    colour.stroke_width(width),
-                ))?
-                .label(series.label.as_str())
-                .legend(move |(x, y)| {
-                    PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(width))
-                });
+            chart.draw_series(LineSeries::new(points.iter().copied(), stroke(index)))?;
             if points.len() < 30 {
-                chart.draw_series(points.iter().map(|&p| Circle::new(p, 3, colour.filled())))?;
+                chart.draw_series(
+                    points
+                        .iter()
+                        .map(|&p| Circle::new(p, 3, COLOURS[index % COLOURS.len()].filled())),
+                )?;
             }
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .background_style(WHITE.mix(0.8))
-            .border_style(BLACK.mix(0.2))
-            .label_font(("sans-serif", 13))
-            .draw()?;
         area.present()?;
+        Ok(())
+    }
+
+    fn legend<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        for (index, series) in self.series.iter().enumerate() {
+            let y = 48 + 20 * index as i32;
+            area.draw(&PathElement::new([(4, y), (26, y)], stroke(index)))?;
+            let style = ("sans-serif", 14);
+            area.draw(&Text::new(series.label.as_str(), (32, y - 7), style))?;
+        }
         Ok(())
     }
 

@@ -5,7 +5,7 @@ use femto::{Budget, Preconditioner, Settings, Start};
 use crate::Run;
 use crate::measure::{References, error, kinetic, run};
 use crate::method::Method;
-use crate::methods::ours::{Ours, Solver, contender};
+use crate::methods::ours::{Ours, PAPER, Solver, contender};
 use crate::output::{Done, Output, exact, short};
 use crate::plot::{Plot, Series};
 use crate::problem::{H, Problem, STEPS_PER_FRAME, three};
@@ -42,11 +42,7 @@ struct Case {
 }
 
 fn solver(start: usize, preconditioner: usize) -> Solver {
-    Solver {
-        name: "",
-        start: STARTS[start].1,
-        preconditioner: PRECONDITIONERS[preconditioner].1,
-    }
+    Solver::new(STARTS[start].1, PRECONDITIONERS[preconditioner].1)
 }
 
 fn budget(iterations: u32) -> Budget {
@@ -81,16 +77,7 @@ fn to_converge(ours: &mut Ours, settings: &Settings) -> u32 {
 
 /// Mean over some steps of the converged motion.
 fn mean_count(problem: &Problem, solver: Solver) -> f64 {
-    let mut ours = Ours::new(
-        problem,
-        H,
-        Solver {
-            start: Start::Velocity,
-            preconditioner: Preconditioner::Jacobi,
-            ..solver
-        },
-        budget(400),
-    );
+    let mut ours = Ours::new(problem, H, PAPER, budget(400));
     let asked = ours
         .settings()
         .with_start(solver.start)
@@ -107,12 +94,7 @@ fn mean_count(problem: &Problem, solver: Solver) -> f64 {
 
 /// The same state's step after 0, 1, 2 … iterations: the kinetic energy that it ends with.
 fn energy_by_iteration(problem: &Problem, solver: Solver) -> Vec<(f64, f64)> {
-    let converging = Solver {
-        start: Start::Velocity,
-        preconditioner: Preconditioner::Jacobi,
-        ..solver
-    };
-    let mut ours = Ours::new(problem, H, converging, budget(400));
+    let mut ours = Ours::new(problem, H, PAPER, budget(400));
     for _ in 0..20 {
         ours.step();
     }
@@ -427,13 +409,8 @@ fn claims(out: &mut Output, all: &[(Problem, References, Vec<Case>)]) -> Done {
             "Few polar sweeps suffice (one sweep, CG converged: error below the step's own)",
             each(&|p, to, _| {
                 let own = error(&to.converged, &to.truth, p.diagonal());
-                let paper = Solver {
-                    name: "",
-                    start: Start::Velocity,
-                    preconditioner: Preconditioner::Jacobi,
-                };
                 let e = [1, 2, 4]
-                    .map(|sweeps| run(p, to, &contender(paper, 1, 300, sweeps), 1).to_converged);
+                    .map(|sweeps| run(p, to, &contender(PAPER, 1, 300, sweeps), 1).to_converged);
                 (
                     e[0] <= own,
                     format!(

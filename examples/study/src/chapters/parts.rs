@@ -4,13 +4,13 @@ use femto::element::{Factored, Layout};
 use femto::lane::Native;
 use femto::operator::{Fit, Operator, RotationBlock, fit_rotations, rotate};
 use femto::owned::OwnedRest;
-use femto::{Budget, Mesh, Preconditioner, Start};
+use femto::{Budget, Mesh};
 use femto_bench::clock::{self, Effort, Kernel};
 use femto_bench::csr::{BlockCsr, elements};
 
 use crate::Run;
 use crate::method::Method;
-use crate::methods::ours::{Ours, Solver};
+use crate::methods::ours::{Ours, PAPER};
 use crate::output::{Done, Output, exact, short};
 use crate::plot::{Plot, Series};
 use crate::problem::{H, Problem, STEPS_PER_FRAME, box_mesh};
@@ -53,12 +53,7 @@ fn parts(problem: &Problem) -> Parts {
         iterations: 10,
         polar_sweeps: 1,
     };
-    let solver = Solver {
-        name: "",
-        start: Start::Velocity,
-        preconditioner: Preconditioner::Jacobi,
-    };
-    let mut ours = Ours::new(problem, H, solver, budget);
+    let mut ours = Ours::new(problem, H, PAPER, budget);
     let (mut q, mut s) = (rotations.clone(), rotated.clone());
     let (mut f, mut a, mut b) = (forces.clone(), forces.clone(), forces.clone());
     let mut kernels = [
