@@ -17,7 +17,7 @@ const STARTS: [(&str, Start); 3] = [
     ("v", Start::Velocity),
     ("v+f", Start::VelocityForce),
 ];
-const PRECONDITIONERS: [(&str, Preconditioner); 3] = [
+const PRECONDITIONERS: [(&str, Preconditioner<'static>); 3] = [
     ("identity", Preconditioner::Identity),
     ("mass", Preconditioner::Mass),
     ("jacobi", Preconditioner::Jacobi),
@@ -53,7 +53,7 @@ fn budget(iterations: u32) -> Budget {
 }
 
 /// The fewest iterations after which the residual of the next step is small enough.
-fn to_converge(ours: &mut Ours, settings: &Settings) -> u32 {
+fn to_converge(ours: &mut Ours, settings: &Settings<'_>) -> u32 {
     let saved = ours.body.state().clone();
     let mut good = |k: u32| {
         let report = ours.step_with(&settings.with_budget(budget(k)));
@@ -78,10 +78,7 @@ fn to_converge(ours: &mut Ours, settings: &Settings) -> u32 {
 /// Mean over some steps of the converged motion.
 fn mean_count(problem: &Problem, solver: Solver) -> f64 {
     let mut ours = Ours::new(problem, H, PAPER, budget(400));
-    let asked = ours
-        .settings()
-        .with_start(solver.start)
-        .with_preconditioner(solver.preconditioner);
+    let asked = solver.settings(problem, H, budget(0));
     let mut counts = Vec::new();
     for step in 0..problem.steps.min(60) {
         if step % 12 == 6 {
@@ -98,13 +95,10 @@ fn energy_by_iteration(problem: &Problem, solver: Solver) -> Vec<(f64, f64)> {
     for _ in 0..20 {
         ours.step();
     }
-    let asked = ours
-        .settings()
-        .with_start(solver.start)
-        .with_preconditioner(solver.preconditioner);
+    let asked = solver.settings(problem, H, budget(0));
     let saved = ours.body.state().clone();
     let masses = ours.body.rest().masses.to_vec();
-    let mut after = |settings: &Settings| {
+    let mut after = |settings: &Settings<'_>| {
         _ = ours.step_with(settings);
         let energy = kinetic(&masses, &ours);
         *ours.body.state_mut() = saved.clone();

@@ -1,25 +1,74 @@
 //! femto itself.
 
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
 use femto::element::Factored;
-use femto::{Budget, OwnedBody, Pin, Preconditioner, Scene, Settings, Start, StepReport};
+use femto::{Budget, Factor, OwnedBody, Pin, Preconditioner, Scene, Settings, Start, StepReport};
+use femto_bake::{FactorOptions, Kind, factor};
 
 use crate::method::{Contender, Method, widened};
 use crate::problem::Problem;
+
+/// A preconditioner before it has met a body.
+#[derive(Clone, Copy)]
+pub enum Choice {
+    Local(Preconditioner<'static>),
+    Factored(Kind),
+}
+
+const JACOBI: Choice = Choice::Local(Preconditioner::Jacobi);
+const WARPED: Choice = Choice::Factored(Kind::Warped);
+const LAPLACIAN: Choice = Choice::Factored(Kind::Laplacian);
 
 /// A start and a preconditioner, with the names that scene files use.
 #[derive(Clone, Copy)]
 pub struct Solver {
     pub name: &'static str,
     pub start: Start,
-    pub preconditioner: Preconditioner,
+    pub choice: Choice,
     /// 1 backward Euler, ½ trapezoidal.
     pub theta: f32,
 }
 
+const fn solver(name: &'static str, start: Start, choice: Choice) -> Solver {
+    Solver {
+        name,
+        start,
+        choice,
+        theta: 1.0,
+    }
+}
+
+/// The paper's choice.
+pub const PAPER: Solver = solver("paper: velocity, jacobi", Start::Velocity, JACOBI);
+const BLOCK: Choice = Choice::Local(Preconditioner::BlockJacobi);
+const GALERKIN_2: Solver = solver("galerkin-2, jacobi", Start::Galerkin(2), JACOBI);
+const RIGID_2: Solver = solver("rigid-2, jacobi", Start::Rigid(2), JACOBI);
+const WARPED_2: Solver = solver("galerkin-2, warped", Start::Galerkin(2), WARPED);
+
+/// Every solver whose error is held against its time: more are more entries.
+pub const SOLVERS: [Solver; 14] = [
+    PAPER,
+    solver("galerkin-1, jacobi", Start::Galerkin(1), JACOBI),
+    GALERKIN_2,
+    solver("rigid-1, jacobi", Start::Rigid(1), JACOBI),
+    RIGID_2,
+    solver("galerkin-2, block-jacobi", Start::Galerkin(2), BLOCK),
+    GALERKIN_2.trapezoidal("galerkin-2, jacobi, θ = ½"),
+    RIGID_2.trapezoidal("rigid-2, jacobi, θ = ½"),
+    solver("galerkin-2, laplacian", Start::Galerkin(2), LAPLACIAN),
+    solver("rigid-2, laplacian", Start::Rigid(2), LAPLACIAN),
+    solver("galerkin-1, warped", Start::Galerkin(1), WARPED),
+    WARPED_2,
+    solver("rigid-2, warped", Start::Rigid(2), WARPED),
+    WARPED_2.trapezoidal("galerkin-2, warped, θ = ½"),
+];
+
 impl Solver {
-    /// The paper's solver with another start and preconditioner.
-    pub const fn new(start: Start, preconditioner: Preconditioner) -> Self {
-        solver("", start, preconditioner)
+    /// A nameless one.
+    pub const fn new(start: Start, preconditioner: Preconditioner<'static>) -> Self {
+        solver("", start, Choice::Local(preconditioner))
     }
 
     const fn trapezoidal(self, name: &'static str) -> Self {
@@ -29,89 +78,73 @@ impl Solver {
             ..self
         }
     }
-}
 
-const fn solver(name: &'static str, start: Start, preconditioner: Preconditioner) -> Solver {
-    Solver {
-        name,
-        start,
-        preconditioner,
-        theta: 1.0,
+    pub fn is_factored(&self) -> bool {
+        matches!(self.choice, Choice::Factored(_))
+    }
+
+    /// For a body and a step. Factors are made once, and kept as long as the program runs.
+    pub fn settings(&self, problem: &Problem, dt: f64, budget: Budget) -> Settings<'static> {
+        let settings = Settings::new(dt as f32)
+            .and_then(|settings| settings.with_theta(self.theta))
+            .expect("a positive time step")
+            .with_start(self.start)
+            .with_budget(budget);
+        settings.with_preconditioner(match self.choice {
+            Choice::Local(preconditioner) => preconditioner,
+            Choice::Factored(kind) => Preconditioner::Factored(made(problem, &settings, kind)),
+        })
     }
 }
 
-/// The paper's choice.
-pub const PAPER: Solver = solver(
-    "paper: velocity, jacobi",
-    Start::Velocity,
-    Preconditioner::Jacobi,
-);
-const GALERKIN_1: Solver = solver(
-    "galerkin-1, jacobi",
-    Start::Galerkin(1),
-    Preconditioner::Jacobi,
-);
-const GALERKIN_2: Solver = solver(
-    "galerkin-2, jacobi",
-    Start::Galerkin(2),
-    Preconditioner::Jacobi,
-);
-const RIGID_1: Solver = solver("rigid-1, jacobi", Start::Rigid(1), Preconditioner::Jacobi);
-const RIGID_2: Solver = solver("rigid-2, jacobi", Start::Rigid(2), Preconditioner::Jacobi);
-const BLOCK: Solver = solver(
-    "galerkin-2, block-jacobi",
-    Start::Galerkin(2),
-    Preconditioner::BlockJacobi,
-);
+/// Body, time step, θ and kind.
+type Key = (&'static str, u32, u32, u32, bool);
+static FACTORS: Mutex<BTreeMap<Key, &'static Factor<'static>>> = Mutex::new(BTreeMap::new());
 
-/// Every solver whose error is held against its time: more are more entries.
-pub const SOLVERS: [Solver; 8] = [
-    PAPER,
-    GALERKIN_1,
-    GALERKIN_2,
-    RIGID_1,
-    RIGID_2,
-    BLOCK,
-    GALERKIN_2.trapezoidal("galerkin-2, jacobi, θ = ½"),
-    RIGID_2.trapezoidal("rigid-2, jacobi, θ = ½"),
-];
+fn made(problem: &Problem, settings: &Settings<'static>, kind: Kind) -> &'static Factor<'static> {
+    let numbers = [problem.young, settings.dt(), settings.theta()].map(f32::to_bits);
+    let [young, dt, theta] = numbers;
+    let key = (problem.name, young, dt, theta, kind == Kind::Warped);
+    let mut factors = FACTORS.lock().expect("nobody panics with it");
+    factors.entry(key).or_insert_with(|| {
+        let options = FactorOptions {
+            kind,
+            held: problem.held.clone(),
+            ..FactorOptions::default()
+        };
+        let body = problem.body::<Factored>(Start::Zero);
+        let owned = factor(&body.rest(), settings, &options).expect("a positive definite matrix");
+        let owned: &'static _ = Box::leak(Box::new(owned));
+        Box::leak(Box::new(owned.view()))
+    })
+}
 
 /// A problem's body in the library.
 pub struct Ours {
     pub body: OwnedBody<Factored>,
     pins: Vec<Pin>,
     gravity: femto::glam::Vec3,
-    settings: Settings,
+    settings: Settings<'static>,
 }
 
 impl Ours {
     pub fn new(problem: &Problem, dt: f64, solver: Solver, budget: Budget) -> Self {
-        let settings = Settings::new(dt as f32)
-            .and_then(|settings| settings.with_theta(solver.theta))
-            .expect("a positive time step")
-            .with_start(solver.start)
-            .with_preconditioner(solver.preconditioner)
-            .with_budget(budget);
         Self {
             body: problem.body(solver.start),
             pins: problem.pins(),
             gravity: problem.gravity(),
-            settings,
+            settings: solver.settings(problem, dt, budget),
         }
     }
 
     /// As [`Method::step`], with other settings.
-    pub fn step_with(&mut self, settings: &Settings) -> StepReport {
+    pub fn step_with(&mut self, settings: &Settings<'_>) -> StepReport {
         let scene = Scene {
             gravity: self.gravity,
             pins: &self.pins,
             ..Scene::default()
         };
         self.body.step(&scene, settings)
-    }
-
-    pub fn settings(&self) -> Settings {
-        self.settings
     }
 }
 
