@@ -14,6 +14,7 @@ mod output;
 mod pareto;
 mod plot;
 mod problem;
+mod statics;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -21,7 +22,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use chapters::{paper, peers, spin};
+use chapters::{budget, closed, hard, models, paper, peers, spin};
 use output::{Done, Output};
 
 /// Speed against error: the study of Dahl and Bargteil redone, other methods at equal time, closed
@@ -59,6 +60,10 @@ const CHAPTERS: &[(&str, Chapter)] = &[
     ("peers", peers::chapter),
     ("relative", peers::relative),
     ("spin", spin::chapter),
+    ("closed", closed::chapter),
+    ("models", models::chapter),
+    ("hard", hard::chapter),
+    ("budget", budget::chapter),
 ];
 
 fn main() -> ExitCode {

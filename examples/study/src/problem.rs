@@ -130,7 +130,7 @@ impl Problem {
         h * h * f64::from(self.young) / (f64::from(self.density) * dx * dx)
     }
 
-    fn volume(&self, tet: [u32; 4]) -> f64 {
+    pub fn volume(&self, tet: [u32; 4]) -> f64 {
         let [a, b, c, d] =
             tet.map(|i| nalgebra::Vector3::from(self.nodes[i as usize].map(f64::from)));
         (b - a).cross(&(c - a)).dot(&(d - a)) / 6.0

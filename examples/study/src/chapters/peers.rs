@@ -17,35 +17,50 @@ const METRICS: [(&str, &str, Metric); 2] = [
     ("converged", "against the converged step", TO_CONVERGED),
 ];
 
-/// Everything that runs on a scene.
-fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
-    let large = problem.tets.len() > 10_000;
-    let budgets: &[(u32, u32)] = match quick {
-        true => &[(1, 5), (2, 2)],
-        false => &[
+/// Substeps and iterations.
+fn budgets(solver: ours::Solver, quick: bool, large: bool) -> &'static [(u32, u32)] {
+    match (quick, solver.is_factored()) {
+        (true, _) => &[(1, 5), (2, 2)],
+        (false, true) if large => &[(1, 1), (1, 2), (2, 1), (4, 1)],
+        (false, false) if large => &[
             (1, 1),
             (1, 2),
-            (1, 3),
             (1, 5),
             (1, 7),
             (1, 10),
             (1, 20),
-            (2, 1),
-            (2, 2),
             (2, 5),
-            (4, 1),
-            (4, 2),
             (4, 5),
-            (8, 1),
             (8, 3),
         ],
-    };
+        (false, true) => &[(1, 1), (1, 2), (1, 3), (2, 1), (2, 2), (4, 1), (8, 1)],
+        (false, false) => &[
+            (1, 1),
+            (1, 2),
+            (1, 3),
+            (1, 4),
+            (1, 5),
+            (1, 7),
+            (1, 10),
+            (1, 20),
+            (2, 2),
+            (2, 5),
+            (4, 2),
+            (4, 5),
+            (8, 3),
+        ],
+    }
+}
+
+/// Everything that runs on a scene.
+fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
+    let large = problem.tets.len() > 10_000;
     let mut all = Vec::new();
     for solver in ours::SOLVERS {
         let each = |&(s, k): &(u32, u32)| ours::contender(solver, s, k, 1);
-        all.extend(budgets.iter().map(each));
+        all.extend(budgets(solver, quick, large).iter().map(each));
     }
-    for &s in if quick { &[1][..] } else { &[1, 2, 4] } {
+    for &s in if quick || large { &[1][..] } else { &[1, 2, 4] } {
         all.push(pipeline::contender(s, Stop::At(1e-10)));
         all.extend([5, 20].map(|k| pipeline::contender(s, Stop::After(k))));
         if !large || (s == 1 && !quick) {
@@ -73,7 +88,7 @@ fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
     all.extend(passes.iter().map(|&(s, k)| projective::contender(s, k)));
     let stable = explicit::stable_substeps(problem);
     all.push(explicit::contender(stable));
-    if !quick {
+    if !(quick || large) {
         all.push(explicit::contender(2 * stable));
     }
     let counts: &[usize] = if quick { &[5] } else { &[3, 5, 10, 20, 50] };
@@ -85,7 +100,7 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
     out.text("## Other methods at equal time");
     out.text(
         "Nothing touches these bodies but gravity and pins, so that all methods solve the same equations. *Truth* is \
-         velocity Verlet in f64 at a quarter of its stable step, and h/16 at most; *converged* the linearly implicit Euler step \
+         velocity Verlet in f64 at half its stable step, and h/16 at most; *converged* the linearly implicit Euler step \
          of h = 1/150 s in f64, solved to r·r ≤ 1e-20 b·b. Methods that aim at another step (XPBD, Projective Dynamics, explicit \
          ones, θ = ½, substeps) can only be judged by the truth. Error: mean over the steps of the RMS node distance over the \
          diagonal of the bounding box. Time: one thread, of each step the fastest of its repeats, averaged over the run. \
@@ -98,7 +113,8 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
         problems[0].steps = 30;
     }
     for problem in &problems {
-        let outcomes = outcomes(study, problem);
+        let entries = contenders(problem, study.quick);
+        let outcomes = outcomes(study, problem, &entries);
         report(out, problem, &outcomes)?;
     }
     Ok(())
@@ -117,21 +133,21 @@ pub fn relative(study: &Run, out: &mut Output) -> Done {
         if study.quick {
             problem.steps = 20;
         }
-        let outcomes = outcomes(study, problem);
+        let mut entries = contenders(problem, study.quick);
+        entries.retain(|c| {
+            c.family == rapier::NAME || ours::SOLVERS.iter().any(|s| s.name == c.family)
+        });
+        let outcomes = outcomes(study, problem, &entries);
         against(out, problem, &outcomes)?;
     }
     Ok(())
 }
 
-fn outcomes(study: &Run, problem: &Problem) -> Vec<Outcome> {
+fn outcomes(study: &Run, problem: &Problem, contenders: &[Contender]) -> Vec<Outcome> {
     study.progress(&format!("{}: references", problem.name));
     let references = References::new(problem);
-    let contenders = contenders(problem, study.quick);
     study.progress(&format!("{}: {} budgets", problem.name, contenders.len()));
-    let repeats = match study.quick || problem.tets.len() > 10_000 {
-        true => 2,
-        false => 3,
-    };
+    let repeats = if problem.tets.len() > 10_000 { 1 } else { 3 };
     let each = contenders.iter();
     each.map(|c| run(problem, &references, c, repeats))
         .collect()
@@ -346,7 +362,7 @@ fn against(out: &mut Output, problem: &Problem, outcomes: &[Outcome]) -> Done {
         outcomes,
     )?;
     let ours = of(outcomes, is_ours);
-    let theirs = of(outcomes, |f| f == "rapier3d fem");
+    let theirs = of(outcomes, |f| f == rapier::NAME);
     let rows: Vec<_> = theirs
         .iter()
         .map(|o| {
@@ -392,7 +408,7 @@ fn against(out: &mut Output, problem: &Problem, outcomes: &[Outcome]) -> Done {
             .filter(|o| family(&o.family) && o.tip <= 0.01);
         good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
     };
-    let (mine, its) = (tip(&is_ours), tip(&|f| f == "rapier3d fem"));
+    let (mine, its) = (tip(&is_ours), tip(&|f| f == rapier::NAME));
     let tell = |o: Option<&Outcome>| {
         o.map_or("never".to_string(), |o| {
             format!("{} µs ({})", short(o.seconds * 1e6), o.budget)

@@ -9,6 +9,9 @@ use crate::method::{Contender, Method};
 use crate::methods::forces::Forces;
 use crate::problem::Problem;
 
+/// Its curve's name.
+pub const NAME: &str = "rapier3d fem";
+
 struct Rapier {
     world: PhysicsWorld,
     body: SoftBodyHandle,
@@ -66,7 +69,7 @@ impl Method for Rapier {
 
 pub fn contender(substeps: u32, iterations: usize) -> Contender {
     Contender::new(
-        "rapier3d fem",
+        NAME,
         format!("{substeps}×{iterations} it."),
         substeps,
         move |problem, dt| Rapier::new(problem, dt, iterations),
