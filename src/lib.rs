@@ -101,6 +101,8 @@ mod algebra;
 pub mod asset;
 pub mod body;
 mod cg;
+#[doc = include_str!("choosing.md")]
+pub mod choosing {}
 pub mod collider;
 pub mod constraint;
 pub mod element;

@@ -38,7 +38,9 @@ pub enum Start {
     /// truncated solve, and energy can build up over the steps.
     Galerkin(u8),
     /// As `Galerkin`, and the three rotations about the centre of mass (of the pinned nodes, where a
-    /// body is held). Costs three applications more.
+    /// body is held). Costs three applications more. Not for bodies that are very stiff for their step
+    /// (h²E/(ρ dx²) beyond 10⁴, with the cell's edge dx): there the rounding of elastic forces, which W's rotations
+    /// carry exactly, can set a body spinning.
     Rigid(u8),
 }
 

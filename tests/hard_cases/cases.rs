@@ -124,6 +124,12 @@ pub fn all(cells: [usize; 3]) -> Vec<Case> {
             c.young = young
         }));
     }
+    // Where single precision ends: rotations in W first, then warped factors.
+    for (name, h) in [("E = 1e10, h = 0.03 s", 0.03), ("E = 1e10, h = 0.3 s", 0.3)] {
+        cases.push(with(case(name, bar(), BoundedLocally).stretched(), &|c| {
+            (c.young, c.h) = (1e10, h);
+        }));
+    }
     for (name, h) in [("h = 1e-6 s", 1e-6), ("h = 1 s", 1.0)] {
         cases.push(with(case(name, bar(), Bounded).stretched(), &|c| c.h = h));
     }

@@ -13,6 +13,7 @@ use crate::report::StepTimes;
 use crate::run;
 use crate::scene::{self, Meshes, Scene};
 use crate::sim::{Energies, Sim};
+use crate::tables::{diagonal, rms};
 
 const SCENE: &str = include_str!("../scenes/snowman.toml");
 const SNOWMAN: &[u8] = include_bytes!("../meshes/snowman.msh");
@@ -98,31 +99,13 @@ fn track_of(scene: &Scene) -> Result<Option<(Track, StepTimes)>, Error> {
 }
 
 /// RMS distance of the nodes from where the converged run has them, over the diagonal of the
-/// rest shape.
+/// rest shape: mean over the steps, and after the last.
 fn error_of(scene: &Scene, track: &Track, converged: &Track) -> Option<MeanAndLast> {
-    let rest = &scene.bodies[0].rest;
-    let low = rest.iter().fold([f32::INFINITY; 3], |a, b| {
-        std::array::from_fn(|i| a[i].min(b[i]))
-    });
-    let high = rest.iter().fold([f32::NEG_INFINITY; 3], |a, b| {
-        std::array::from_fn(|i| a[i].max(b[i]))
-    });
-    let diagonal = squared_distance(&low, &high).sqrt();
-    let distance = |(positions, converged): (&Vec<[f32; 3]>, &Vec<[f32; 3]>)| {
-        let pairs = positions.iter().zip(converged);
-        let squares: f64 = pairs.map(|(a, b)| squared_distance(a, b)).sum();
-        (squares / positions.len() as f64).sqrt() / diagonal
-    };
-    let errors: Vec<f64> = track.iter().zip(converged).map(distance).collect();
+    let diagonal = diagonal(&scene.bodies[0].rest);
+    let pairs = track.iter().zip(converged);
+    let errors: Vec<f64> = pairs.map(|(a, b)| rms(a, b) / diagonal).collect();
     let last = *errors.last()?;
     Some((errors.iter().sum::<f64>() / errors.len() as f64, last))
-}
-
-fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2))
-        .sum()
 }
 
 /// Name, iterations, times and error of another solver.

@@ -17,6 +17,7 @@ mod run;
 mod scene;
 mod scene_file;
 mod sim;
+mod suggest;
 mod tables;
 mod vtu;
 
@@ -46,6 +47,8 @@ enum Command {
     Run(run::Args),
     /// Make an asset for a program to embed: a mesh with its material, pins and factor
     Bake(Box<bake::Args>),
+    /// Measure which solver and budget a scene should take, and print it
+    Suggest(suggest::Args),
     /// Say how large and how good a mesh is, and everything that is wrong with it; or what an asset holds
     Info {
         /// Gmsh .msh (4.1 ASCII), TetGen .node with its .ele beside it, or an asset .femto
@@ -59,6 +62,7 @@ pub fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Some(Command::Run(args)) => run::command(&args),
         Some(Command::Bake(args)) => bake::command(&args),
+        Some(Command::Suggest(args)) => suggest::command(&args),
         Some(Command::Info { mesh }) => info::command(&mesh),
         None => demo::command(),
     };

@@ -296,13 +296,13 @@ impl<'a> Files<'a> {
 }
 
 /// A bar on stderr, once a run has taken a second, and only where someone can see it.
-struct Progress {
+pub struct Progress {
     bar: ProgressBar,
     begin: Instant,
 }
 
 impl Progress {
-    fn new(steps: u32, quiet: bool) -> Self {
+    pub fn new(steps: u32, quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(steps.into()), ProgressDrawTarget::hidden());
         let style = "{bar:40} step {pos} of {len}, {eta} left";
         bar.set_style(ProgressStyle::with_template(style).expect("a valid template"));
@@ -316,7 +316,7 @@ impl Progress {
         }
     }
 
-    fn set(&self, step: u32) {
+    pub fn set(&self, step: u32) {
         if self.bar.length().is_none() {
             return;
         }
@@ -326,7 +326,7 @@ impl Progress {
         self.bar.set_position(step.into());
     }
 
-    fn clear(&self) {
+    pub fn clear(&self) {
         self.bar.finish_and_clear();
     }
 }

@@ -96,3 +96,27 @@ pub fn write_final(path: &Path, sim: &Sim) -> csv::Result<()> {
     writer.flush()?;
     Ok(())
 }
+
+/// Of the bounding box, metres.
+pub fn diagonal(nodes: &[[f32; 3]]) -> f64 {
+    let fold = |start: f32, pick: fn(f32, f32) -> f32| {
+        let all = nodes.iter();
+        all.fold([start; 3], |a, b| std::array::from_fn(|i| pick(a[i], b[i])))
+    };
+    let low = fold(f32::INFINITY, f32::min);
+    let high = fold(f32::NEG_INFINITY, f32::max);
+    squared_distance(&low, &high).sqrt()
+}
+
+/// RMS distance of the nodes, metres.
+pub fn rms(a: &[[f32; 3]], b: &[[f32; 3]]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| squared_distance(a, b));
+    (squares.sum::<f64>() / a.len() as f64).sqrt()
+}
+
+fn squared_distance(a: &[f32; 3], b: &[f32; 3]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs
+        .map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2))
+        .sum()
+}

@@ -1,10 +1,11 @@
 //! Speed against error, in one command:
 //!
 //! ```text
-//! cargo run --release -p femto-study [-- --quick] [--out DIR] [--only CHAPTER]
+//! cargo run --release -p femto-study [-- [--quick] [--out DIR] [--only CHAPTER]... | --publish]
 //! ```
 //!
-//! writes a folder with report.md, its plots (SVG and PNG) and its data (CSV).
+//! writes a folder with report.md, its plots (SVG and PNG) and its data (CSV); `--publish` renews the copy in
+//! the tree (`examples/study/report/`).
 
 mod chapters;
 mod measure;
@@ -16,7 +17,7 @@ mod plot;
 mod problem;
 mod statics;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -35,6 +36,9 @@ struct Args {
     /// Where the report goes.
     #[arg(long, default_value = "femto-study-out")]
     out: PathBuf,
+    /// Writes the report (without data and PNGs) into the tree instead, and the library's page on budgets.
+    #[arg(long, conflicts_with_all = ["quick", "out", "only"])]
+    publish: bool,
     /// Only these chapters.
     #[arg(long)]
     only: Vec<String>,
@@ -43,6 +47,8 @@ struct Args {
 /// How much to do, and where progress is told.
 pub struct Run {
     pub quick: bool,
+    /// Where the library's page on budgets goes.
+    pub page: PathBuf,
     begin: Instant,
 }
 
@@ -86,12 +92,29 @@ fn study(args: &Args) -> Done {
         return Err(format!("no chapter {unknown}; there are {}", known.join(", ")).into());
     }
     plot::register_font()?;
-    let mut out = Output::new(&args.out)?;
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let dir = if args.publish {
+        here.join("report")
+    } else {
+        args.out.clone()
+    };
+    let mut out = Output::new(&dir, args.publish)?;
     let run = Run {
         quick: args.quick,
+        page: if args.publish {
+            here.join("../../src/choosing.md")
+        } else {
+            dir.join("choosing.md")
+        },
         begin: Instant::now(),
     };
     out.text("# Speed against error");
+    out.text(&format!(
+        "Written by `cargo run --release -p femto-study`{} on {}, {} lanes of f32. Times are of this run, on one thread.",
+        if args.quick { " with `--quick`: smaller bodies and fewer budgets, no figures to quote" } else { "" },
+        std::env::consts::ARCH,
+        <femto::lane::Native as femto::lane::Lanes>::WIDTH,
+    ));
     for (name, chapter) in CHAPTERS {
         if args.only.is_empty() || args.only.iter().any(|only| only == name) {
             run.progress(&format!("chapter {name}"));
@@ -99,9 +122,6 @@ fn study(args: &Args) -> Done {
             out.save()?;
         }
     }
-    run.progress(&format!(
-        "written: {}",
-        args.out.join("report.md").display()
-    ));
+    run.progress(&format!("written: {}", dir.join("report.md").display()));
     Ok(())
 }

@@ -64,13 +64,14 @@ impl Outcome {
     }
 }
 
-/// Runs a contender `repeats` times. Each step counts with its fastest time: what a machine that others
-/// use adds is left out, what the method itself needs more in some steps is not.
-pub fn run(problem: &Problem, to: &References, contender: &Contender, repeats: u32) -> Outcome {
+/// Runs a contender. On a machine that others use, the fastest time counts: of all steps where each does the same
+/// work; else of each step among three runs, averaged over the steps.
+pub fn run(problem: &Problem, to: &References, contender: &Contender) -> Outcome {
+    let repeats = if contender.steady { 1 } else { 3 };
     let dt = H / f64::from(contender.substeps);
     let mut times = vec![f64::INFINITY; problem.steps];
     let mut track = Vec::new();
-    for repeat in 0..repeats.max(1) {
+    for repeat in 0..repeats {
         let mut method = (contender.build)(problem, dt);
         for time in &mut times {
             let begin = clock::now();
@@ -86,7 +87,10 @@ pub fn run(problem: &Problem, to: &References, contender: &Contender, repeats: u
     Outcome {
         family: contender.family.clone(),
         budget: contender.budget.clone(),
-        seconds: times.iter().sum::<f64>() / times.len() as f64,
+        seconds: match contender.steady {
+            true => times.iter().copied().fold(f64::INFINITY, f64::min),
+            false => times.iter().sum::<f64>() / times.len() as f64,
+        },
         to_truth: error(&track, &to.truth, to.diagonal),
         to_converged: error(&track, &to.converged, to.diagonal),
         tip: tip_error(problem, &track, &to.converged),

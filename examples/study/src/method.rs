@@ -23,6 +23,8 @@ pub struct Contender {
     pub budget: String,
     /// Equal steps that a step of the problem is made of.
     pub substeps: u32,
+    /// Whether every step does the same work.
+    pub steady: bool,
     pub build: Build,
 }
 
@@ -37,7 +39,16 @@ impl Contender {
             family: family.into(),
             budget: budget.into(),
             substeps,
+            steady: true,
             build: Box::new(move |problem, dt| Box::new(build(problem, dt))),
+        }
+    }
+
+    /// Whose steps differ in their work.
+    pub fn varying(self) -> Self {
+        Self {
+            steady: false,
+            ..self
         }
     }
 }

@@ -12,14 +12,17 @@ pub type Done = Result<(), Box<dyn Error>>;
 /// Collects the report, writes data and plots as they come.
 pub struct Output {
     dir: PathBuf,
+    /// Report and SVGs alone, to be kept in the tree.
+    small: bool,
     report: String,
 }
 
 impl Output {
-    pub fn new(dir: &Path) -> Result<Self, Box<dyn Error>> {
+    pub fn new(dir: &Path, small: bool) -> Result<Self, Box<dyn Error>> {
         fs::create_dir_all(dir).map_err(|e| format!("{}: {e}", dir.display()))?;
         Ok(Self {
             dir: dir.to_path_buf(),
+            small,
             report: String::new(),
         })
     }
@@ -42,6 +45,9 @@ impl Output {
 
     /// Data for other programs.
     pub fn csv(&self, name: &str, header: &[&str], rows: &[Vec<String>]) -> Done {
+        if self.small {
+            return Ok(());
+        }
         let mut file = csv::Writer::from_path(self.dir.join(format!("{name}.csv")))?;
         file.write_record(header)?;
         for row in rows {
@@ -52,7 +58,7 @@ impl Output {
 
     /// A plot, as SVG in the report and as PNG beside it.
     pub fn plot(&mut self, name: &str, plot: &Plot) -> Done {
-        plot.write(&self.dir.join(name))?;
+        plot.write(&self.dir.join(name), !self.small)?;
         self.text(&format!("![{}]({name}.svg)", plot.title));
         Ok(())
     }

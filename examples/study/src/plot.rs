@@ -60,12 +60,15 @@ pub fn register_font() -> Result<(), Box<dyn Error>> {
 }
 
 impl Plot {
-    /// Writes `path`.svg and `path`.png.
-    pub fn write(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+    /// Writes `path`.svg and, if asked, `path`.png.
+    pub fn write(&self, path: &Path, png: bool) -> Result<(), Box<dyn Error>> {
         let svg = path.with_extension("svg");
-        let png = path.with_extension("png");
         self.draw(&SVGBackend::new(&svg, SIZE).into_drawing_area())?;
-        self.draw(&BitMapBackend::new(&png, SIZE).into_drawing_area())
+        if png {
+            let png = path.with_extension("png");
+            self.draw(&BitMapBackend::new(&png, SIZE).into_drawing_area())?;
+        }
+        Ok(())
     }
 
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>

@@ -103,7 +103,7 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
          velocity Verlet in f64 at half its stable step, and h/16 at most; *converged* the linearly implicit Euler step \
          of h = 1/150 s in f64, solved to r·r ≤ 1e-20 b·b. Methods that aim at another step (XPBD, Projective Dynamics, explicit \
          ones, θ = ½, substeps) can only be judged by the truth. Error: mean over the steps of the RMS node distance over the \
-         diagonal of the bounding box. Time: one thread, of each step the fastest of its repeats, averaged over the run. \
+         diagonal of the bounding box. Time: one thread; the fastest step where all do the same work, else each step's fastest of three runs, averaged. \
          `2×5 it.` is two substeps of five iterations. All in f32; XPBD, Projective Dynamics and the explicit method use \
          femto's polar decomposition, the latter two its vectorised forces, too.",
     );
@@ -147,10 +147,8 @@ fn outcomes(study: &Run, problem: &Problem, contenders: &[Contender]) -> Vec<Out
     study.progress(&format!("{}: references", problem.name));
     let references = References::new(problem);
     study.progress(&format!("{}: {} budgets", problem.name, contenders.len()));
-    let repeats = if problem.tets.len() > 10_000 { 1 } else { 3 };
     let each = contenders.iter();
-    each.map(|c| run(problem, &references, c, repeats))
-        .collect()
+    each.map(|c| run(problem, &references, c)).collect()
 }
 
 fn families(outcomes: &[Outcome]) -> Vec<String> {
@@ -163,9 +161,12 @@ fn families(outcomes: &[Outcome]) -> Vec<String> {
     families
 }
 
-fn of<'a>(outcomes: &'a [Outcome], family: impl Fn(&str) -> bool) -> Vec<&'a Outcome> {
+fn of(outcomes: &[Outcome], family: impl Fn(&str) -> bool) -> Vec<&Outcome> {
     outcomes.iter().filter(|o| family(&o.family)).collect()
 }
+
+/// Which families.
+type Member = fn(&str) -> bool;
 
 /// femto's solvers without the paper's.
 fn is_ours(family: &str) -> bool {
@@ -255,7 +256,7 @@ fn fronts(out: &mut Output, outcomes: &[Outcome]) {
 fn paper_at_equal_time(out: &mut Output, outcomes: &[Outcome]) {
     let single = |o: &&&Outcome| o.budget.starts_with("1×") && !o.budget.starts_with("1×20");
     let papers = of(outcomes, |f| f == ours::PAPER.name);
-    let groups: [(&str, fn(&str) -> bool, f64); 2] = [
+    let groups: [(&str, Member, f64); 2] = [
         ("without a factor", is_local, 2.0),
         ("with any preconditioner", is_ours, 10.0),
     ];
@@ -313,7 +314,7 @@ fn ratios(out: &mut Output, outcomes: &[Outcome], peer: &str) {
     let mut rows = Vec::new();
     let mut verdicts = Vec::new();
     for (group, member) in [
-        ("femto", is_ours as fn(&str) -> bool),
+        ("femto", is_ours as Member),
         ("femto without a factor", is_local),
     ] {
         let ours = of(outcomes, member);

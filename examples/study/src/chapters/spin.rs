@@ -1,15 +1,24 @@
 //! A free, spinning bar for five seconds: what truncation does to energy and momentum.
 
 use femto::energy::{self, Rotations};
+use femto::owned::OwnedState;
 use femto::state::StateRef;
 use femto::{Budget, Start};
 
 use crate::Run;
+use crate::measure::square;
 use crate::method::Method;
 use crate::methods::ours::{Ours, SOLVERS, Solver};
 use crate::output::{Done, Output, exact, short};
 use crate::plot::{Plot, Series};
 use crate::problem::{H, Problem, free_bar};
+
+/// As good as others that are here.
+const SKIPPED: [&str; 3] = [
+    "galerkin-3, jacobi",
+    "galerkin-2, warped",
+    "galerkin-1, warped in f16",
+];
 
 /// What five seconds did, relative to the start.
 struct Account {
@@ -28,7 +37,7 @@ struct Account {
 }
 
 fn length(u: [f64; 3]) -> f64 {
-    crate::measure::square(u).sqrt()
+    square(u).sqrt()
 }
 
 fn account(problem: &Problem, solver: Solver, iterations: u32, steps: usize) -> Account {
@@ -49,38 +58,44 @@ fn account(problem: &Problem, solver: Solver, iterations: u32, steps: usize) -> 
         track: vec![(0.0, 1.0)],
     };
     let unit = start.total();
+    let mut stored = stored_energy(&ours, ours.body.state());
     for step in 1..=steps {
         let before = ours.body.state().clone();
-        let rest_before = ours.body.energies(problem.gravity()).kinetic
-            + energy::elastic(&ours.body.rest(), &before.view(), Rotations::Stored);
         ours.step();
-        let rest = ours.body.rest();
-        let view = ours.body.state().view();
-        let frozen = energy::elastic(
-            &rest,
-            &StateRef {
-                rotations: before.view().rotations,
-                ..view
-            },
-            Rotations::Stored,
-        );
-        let refit = energy::elastic(&rest, &view, Rotations::Stored) - frozen;
-        let energies = ours.body.energies(problem.gravity());
-        out.step = out
-            .step
-            .max((energies.kinetic + frozen - rest_before) / unit);
-        out.refit = out.refit.max(refit / unit);
-        out.total = out.total.max(energies.total() / unit);
-        let kinetic = energies.kinetic / start.kinetic;
-        out.kinetic = [out.kinetic[0].max(kinetic), kinetic];
-        let angular = spin(&ours) / momentum;
-        out.angular = [out.angular[0].max(angular), angular];
-        out.track.push((H * step as f64, kinetic));
-        if !out.total.is_finite() {
+        let frozen = stored_energy(&ours, &before);
+        let refitted = stored_energy(&ours, ours.body.state());
+        out.step = out.step.max((frozen - stored) / unit);
+        out.refit = out.refit.max((refitted - frozen) / unit);
+        stored = refitted;
+        if step % 10 == 0 {
+            let energies = ours.body.energies(problem.gravity());
+            out.total = out.total.max(energies.total() / unit);
+            let kinetic = energies.kinetic / start.kinetic;
+            out.kinetic = [out.kinetic[0].max(kinetic), kinetic];
+            let angular = spin(&ours) / momentum;
+            out.angular = [out.angular[0].max(angular), angular];
+            out.track.push((H * step as f64, kinetic));
+        }
+        if !stored.is_finite() {
+            out.total = f64::INFINITY;
             break;
         }
     }
     out
+}
+
+/// Kinetic energy now, and elastic with the rotations of some state.
+fn stored_energy(ours: &Ours, rotations: &OwnedState) -> f64 {
+    let (rest, now) = (ours.body.rest(), ours.body.state().view());
+    let each = rest.masses.iter().zip(now.v);
+    let kinetic: f64 = each
+        .map(|(m, v)| 0.5 * f64::from(*m) * square(v.map(f64::from)))
+        .sum();
+    let view = StateRef {
+        rotations: rotations.view().rotations,
+        ..now
+    };
+    kinetic + energy::elastic(&rest, &view, Rotations::Stored)
 }
 
 /// Angular momentum about the centre of mass.
@@ -113,7 +128,10 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
     let mut rows = Vec::new();
     let mut worst: Vec<(Solver, [f64; 6])> = Vec::new();
     let mut tracks = Vec::new();
-    for solver in SOLVERS.into_iter().filter(|s| s.theta == 1.0) {
+    for solver in SOLVERS
+        .into_iter()
+        .filter(|s| s.theta == 1.0 && !SKIPPED.contains(&s.name))
+    {
         study.progress(&format!("spin: {}", solver.name));
         let mut most = [
             0.0_f64,

@@ -4,6 +4,7 @@
 use femto_bench::baseline::{Baseline, Stop};
 
 use crate::method::{Contender, Method, widened};
+use crate::problem::Problem;
 
 struct Pipeline {
     body: Baseline<f32>,
@@ -27,8 +28,9 @@ pub fn contender(substeps: u32, stop: Stop) -> Contender {
         Stop::After(k) => ("SVD, assembled, stopped", format!("{substeps}×{k} it.")),
         Stop::At(_) => ("SVD, assembled, converged", format!("{substeps}×")),
     };
-    Contender::new(family, budget, substeps, move |problem, dt| Pipeline {
+    let build = move |problem: &Problem, dt| Pipeline {
         body: problem.baseline(dt),
         stop,
-    })
+    };
+    Contender::new(family, budget, substeps, build).varying()
 }

@@ -74,4 +74,5 @@ pub fn contender(substeps: u32, iterations: usize) -> Contender {
         substeps,
         move |problem, dt| Rapier::new(problem, dt, iterations),
     )
+    .varying()
 }
