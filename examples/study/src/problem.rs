@@ -5,6 +5,7 @@ use std::error::Error;
 
 use femto::element::Layout;
 use femto::glam::Vec3;
+use femto::order::fans;
 use femto::{Material, Mesh, OwnedBody, Pin, Start};
 use femto_bench::baseline;
 use femto_cli::mesh::{self, gmsh};
@@ -55,7 +56,8 @@ impl Problem {
             what,
             v: vec![[0.0; 3]; nodes.len()],
             nodes,
-            tets,
+            // The order in which femto is fastest; the others do not mind.
+            tets: fans(&tets).tets,
             young,
             poisson: 0.4,
             density: 1000.0,
