@@ -18,6 +18,9 @@
 //! * the filter: Σ N_iᵀ (1 − P_i) A_ii (1 − P_i) N_i makes motions stiff that contact, or a pin that the aggregates
 //!   do not know of, forbids.
 //!
+//! Take it with v(t) in W (`galerkin-1` or more): from `zero`, a few iterations turn a very stiff body without pulling
+//! it together, and it can be lost (h²E/(ρdx²) from some 1e4; `tests/golden/hard_cases.txt`).
+//!
 //! Which tetrahedra are cut depends on the mesh alone, so the cost is fixed. E = L D Lᵀ drops a motion whose
 //! pivot has sunk to rounding (an aggregate of one node cannot turn): the pivot's inverse and its column of L become
 //! zero. Whatever the numbers in L, the sum is symmetric positive semidefinite, since both triangular solves

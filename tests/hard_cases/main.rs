@@ -27,8 +27,9 @@ fn stable(start: Start) -> bool {
 }
 
 fn local(line: &Line) -> bool {
-    let factored = ["laplacian", "warped"].contains(&PRECONDITIONERS[line.preconditioner]);
-    !(factored || matches!(STARTS[line.start].1, Start::Rigid(_)))
+    let name = PRECONDITIONERS[line.preconditioner];
+    let global = ["two-level", "laplacian", "warped"].contains(&name);
+    !(global || matches!(STARTS[line.start].1, Start::Rigid(_)))
 }
 
 #[test]

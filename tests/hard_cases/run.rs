@@ -3,6 +3,8 @@
 use femto::element::Factored;
 use femto::energy::{self, Rotations};
 use femto::glam::Vec3;
+use femto::owned::OwnedRest;
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::state::StateRef;
 use femto::{Budget, Material, Mesh, OwnedBody, Pin, Preconditioner, Scene, Settings, Start};
 use femto_bake::{FactorOptions, Kind, OwnedFactor, factor};
@@ -18,11 +20,12 @@ pub const STARTS: [(&str, Start); 7] = [
     ("rigid-1", Start::Rigid(1)),
     ("rigid-2", Start::Rigid(2)),
 ];
-pub const PRECONDITIONERS: [&str; 6] = [
+pub const PRECONDITIONERS: [&str; 7] = [
     "identity",
     "mass",
     "jacobi",
     "block-jacobi",
+    "two-level",
     "laplacian",
     "warped",
 ];
@@ -93,15 +96,12 @@ fn material(case: &Case) -> Material {
 
 /// One run.
 pub fn run(case: &Case, start: Start, preconditioner: &str, budget: Budget) -> Outcome {
-    let body = Mesh::new(&case.mesh.nodes, &case.mesh.tets)
-        .and_then(|mesh| OwnedBody::<Factored>::new(&mesh, &material(case), start));
-    let mut body = match body {
-        Ok(body) => body,
+    let rest = Mesh::new(&case.mesh.nodes, &case.mesh.tets)
+        .and_then(|mesh| OwnedRest::<Factored>::new(&mesh, &material(case)));
+    let rest = match rest {
+        Ok(rest) => rest,
         Err(e) => return Outcome::Refused(e.to_string()),
     };
-    if let Err(e) = body.place(&case.x, &case.v) {
-        return Outcome::Refused(e.to_string());
-    }
     let settings = Settings::new(case.h)
         .expect("a valid step")
         .with_start(start)
@@ -119,21 +119,31 @@ pub fn run(case: &Case, start: Start, preconditioner: &str, budget: Budget) -> O
                 held: case.pins.clone(),
                 ..FactorOptions::default()
             };
-            match factor(&body.rest(), &settings, &options) {
+            match factor(&rest.view(), &settings, &options) {
                 Ok(made) => Some(made),
                 Err(e) => return Outcome::Refused(format!("no factor: {e}")),
             }
         }
     };
     let view = made.as_ref().map(OwnedFactor::view);
+    let mut of = vec![0; rest.view().nodes.len()];
     let chosen = match (preconditioner, &view) {
         (_, Some(factor)) => Preconditioner::Factored(factor),
         ("identity", _) => Preconditioner::Identity,
         ("mass", _) => Preconditioner::Mass,
         ("block-jacobi", _) => Preconditioner::BlockJacobi,
+        ("two-level", _) => Preconditioner::TwoLevel(
+            Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, &mut of)
+                .expect("one entry a node"),
+        ),
         _ => Preconditioner::Jacobi,
     };
-    follow(case, &mut body, &settings.with_preconditioner(chosen))
+    let settings = settings.with_preconditioner(chosen);
+    let mut body = OwnedBody::from_rest(rest.clone(), &settings);
+    if let Err(e) = body.place(&case.x, &case.v) {
+        return Outcome::Refused(e.to_string());
+    }
+    follow(case, &mut body, &settings)
 }
 
 fn follow(case: &Case, body: &mut OwnedBody, settings: &Settings<'_>) -> Outcome {

@@ -6,7 +6,8 @@ use std::error::Error;
 use femto::element::Layout;
 use femto::glam::Vec3;
 use femto::order::fans;
-use femto::{Material, Mesh, OwnedBody, Pin, Start};
+use femto::settings::Needs;
+use femto::{Material, Mesh, OwnedBody, Pin};
 use femto_bench::baseline;
 use femto_cli::mesh::{self, gmsh};
 
@@ -85,9 +86,9 @@ impl Problem {
         Material::new(self.young, self.poisson, self.density).expect("a valid material")
     }
 
-    pub fn body<L: Layout>(&self, start: Start) -> OwnedBody<L> {
+    pub fn body<L: Layout>(&self, needs: impl Into<Needs>) -> OwnedBody<L> {
         let mesh = Mesh::new(&self.nodes, &self.tets).expect("a valid mesh");
-        let mut body = OwnedBody::new(&mesh, &self.material(), start).expect("in range");
+        let mut body = OwnedBody::new(&mesh, &self.material(), needs).expect("in range");
         body.place(&self.nodes, &self.v).expect("a finite state");
         body
     }

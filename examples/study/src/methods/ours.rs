@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Mutex;
 
 use femto::element::Factored;
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::{Budget, Factor, OwnedBody, Pin, Preconditioner, Scene, Settings, Start, StepReport};
 use femto_bake::{FactorOptions, Kind, Precision, factor};
 
@@ -15,6 +16,7 @@ use crate::problem::Problem;
 pub enum Choice {
     Local(Preconditioner<'static>),
     Factored(Kind, Precision),
+    TwoLevel,
 }
 
 const JACOBI: Choice = Choice::Local(Preconditioner::Jacobi);
@@ -48,7 +50,7 @@ const RIGID_2: Solver = solver("rigid-2, jacobi", Start::Rigid(2), JACOBI);
 const WARPED_2: Solver = solver("galerkin-2, warped", Start::Galerkin(2), WARPED);
 
 /// Every solver whose error is held against its time: more are more entries.
-pub const SOLVERS: [Solver; 14] = [
+pub const SOLVERS: [Solver; 15] = [
     PAPER,
     solver("galerkin-1, jacobi", Start::Galerkin(1), JACOBI),
     GALERKIN_2,
@@ -56,6 +58,11 @@ pub const SOLVERS: [Solver; 14] = [
     solver("rigid-1, jacobi", Start::Rigid(1), JACOBI),
     RIGID_2,
     solver("galerkin-2, block-jacobi", Start::Galerkin(2), BLOCK),
+    solver(
+        "galerkin-2, two-level",
+        Start::Galerkin(2),
+        Choice::TwoLevel,
+    ),
     GALERKIN_2.trapezoidal("galerkin-2, jacobi, θ = ½"),
     RIGID_2.trapezoidal("rigid-2, jacobi, θ = ½"),
     solver("galerkin-2, laplacian", Start::Galerkin(2), LAPLACIAN),
@@ -96,6 +103,12 @@ impl Solver {
             .with_budget(budget);
         settings.with_preconditioner(match self.choice {
             Choice::Local(preconditioner) => preconditioner,
+            Choice::TwoLevel => {
+                let body = problem.body::<Factored>(Start::Zero);
+                let of = Box::leak(vec![0; problem.nodes.len()].into_boxed_slice());
+                let aggregates = Aggregates::divide(&body.rest(), DEFAULT_AGGREGATES, of);
+                Preconditioner::TwoLevel(aggregates.expect("one entry a node"))
+            }
             Choice::Factored(kind, precision) => {
                 let options = FactorOptions {
                     kind,
@@ -145,11 +158,12 @@ pub struct Ours {
 
 impl Ours {
     pub fn new(problem: &Problem, dt: f64, solver: Solver, budget: Budget) -> Self {
+        let settings = solver.settings(problem, dt, budget);
         Self {
-            body: problem.body(solver.start),
+            body: problem.body(&settings),
             pins: problem.pins(),
             gravity: problem.gravity(),
-            settings: solver.settings(problem, dt, budget),
+            settings,
         }
     }
 
