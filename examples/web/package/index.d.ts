@@ -2,7 +2,7 @@
 export class FemtoError extends Error {}
 
 /** Preconditioners; `factor` is the asset's own. */
-export type Preconditioner = 'identity' | 'mass' | 'jacobi' | 'block-jacobi' | 'factor';
+export type Preconditioner = 'identity' | 'mass' | 'jacobi' | 'block-jacobi' | 'factor' | 'two-level';
 export const PRECONDITIONERS: readonly Preconditioner[];
 
 /** Where the solver starts: `galerkin-m` and `rigid-m` use the last m velocities, up to 8. */

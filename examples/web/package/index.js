@@ -4,7 +4,7 @@ import { FemtoError, Memory, choice, count, number, vector } from './memory.js';
 
 export { FemtoError };
 
-export const PRECONDITIONERS = Object.freeze(['identity', 'mass', 'jacobi', 'block-jacobi', 'factor']);
+export const PRECONDITIONERS = Object.freeze(['identity', 'mass', 'jacobi', 'block-jacobi', 'factor', 'two-level']);
 const FACTORS = ['none', 'warped', 'laplacian'];
 const STARTS = ['zero', 'velocity', 'velocity-force', 'galerkin', 'rigid'];
 

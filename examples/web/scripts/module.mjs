@@ -13,7 +13,7 @@ const FEATURES = ['bulk-memory', 'multivalue', 'mutable-globals', 'nontrapping-f
   .map((feature) => `--enable-${feature}`);
 
 /** Every feature of Cargo.toml. */
-export const ALL = ['factors', 'meshes', 'measures'];
+export const ALL = ['factors', 'two-level', 'meshes', 'measures'];
 /** The two builds. */
 export const BUILDS = [
   { file: 'femto.wasm', simd: false },

@@ -9,7 +9,10 @@ use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::Native;
 use femto::owned::{OwnedState, OwnedWorkspace};
+#[cfg(feature = "two-level")]
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::rest::Rest;
+use femto::settings::Needs;
 use femto::step::step;
 use femto::{Asset, Budget, Collider, Pin, Preconditioner, Scene, Settings, Start, StepReport};
 
@@ -18,6 +21,9 @@ use crate::loaded::Loaded;
 
 /// Iterations, and sweeps, of a step at most: more would look to a page like a hang.
 const MOST: u32 = 10_000;
+/// The preconditioner that needs aggregates.
+#[cfg(feature = "two-level")]
+const TWO_LEVEL: u32 = 5;
 /// Past velocities that a start can use, at most.
 const MOST_HISTORY: u32 = 8;
 
@@ -25,7 +31,7 @@ const MOST_HISTORY: u32 = 8;
 #[derive(Clone, Copy, Debug)]
 pub struct Choice {
     pub settings: Settings<'static>,
-    /// 0 identity, 1 mass, 2 Jacobi, 3 block Jacobi, 4 the asset's factor
+    /// 0 identity, 1 mass, 2 Jacobi, 3 block Jacobi, 4 the asset's factor, 5 two-level
     pub preconditioner: u32,
 }
 
@@ -55,7 +61,12 @@ impl Choice {
         })
     }
 
-    fn for_asset<'a>(&self, asset: &'a Asset<'a>) -> Result<Settings<'a>, Fault> {
+    /// With what the preconditioner borrows: the factor, or the aggregates of the nodes.
+    fn for_asset<'a>(
+        &self,
+        asset: &'a Asset<'a>,
+        #[cfg_attr(not(feature = "two-level"), expect(unused))] aggregates: &'a [u8],
+    ) -> Result<Settings<'a>, Fault> {
         let preconditioner = match self.preconditioner {
             0 => Preconditioner::Identity,
             1 => Preconditioner::Mass,
@@ -66,6 +77,11 @@ impl Choice {
                 Some(factor) => Preconditioner::Factored(factor),
                 None => return Err("the asset has no factor".into()),
             },
+            #[cfg(feature = "two-level")]
+            TWO_LEVEL => Preconditioner::TwoLevel(
+                Aggregates::new(aggregates, DEFAULT_AGGREGATES)
+                    .map_err(|_| Fault::new("the aggregates do not fit"))?,
+            ),
             code => {
                 return Err(Fault::of(
                     "preconditioner {0} does not exist",
@@ -114,6 +130,8 @@ pub struct Body {
     state: OwnedState,
     workspace: OwnedWorkspace,
     choice: Choice,
+    /// The aggregate of each node, once the two-level preconditioner was chosen.
+    aggregates: Vec<u8>,
     pub gravity: Vec3,
     pub pins: Vec<Pin>,
     pub colliders: Vec<Collider>,
@@ -136,6 +154,7 @@ impl Body {
                 preconditioner: 2,
             },
             gravity: Vec3::new(0.0, -9.81, 0.0),
+            aggregates: Vec::new(),
             pins: held.pins.to_vec(),
             colliders: Vec::new(),
             forces: Vec::new(),
@@ -167,23 +186,32 @@ impl Body {
         {
             return Err("the asset is of another mesh".into());
         }
-        self.choice.for_asset(new)?;
+        self.choice.for_asset(new, &self.aggregates)?;
         self.asset = asset;
         Ok(())
     }
 
     /// Takes other settings. Where the start needs another history, the old one is forgotten.
     pub fn set(&mut self, choice: Choice) -> Result<(), Fault> {
-        choice.for_asset(self.asset())?;
-        let (old, new) = (self.choice.settings.start, choice.settings.start);
-        if old.vectors() != new.vectors() || old.history() != new.history() {
-            let rest = self.asset.borrow_dependent().rest;
-            let mut state = OwnedState::new(&rest, new);
+        let asset = self.asset.borrow_dependent();
+        #[cfg(feature = "two-level")]
+        if choice.preconditioner == TWO_LEVEL && self.aggregates.is_empty() {
+            let mut aggregates = alloc::vec![0; asset.rest.nodes.len()];
+            Aggregates::divide(&asset.rest, DEFAULT_AGGREGATES, &mut aggregates)
+                .map_err(|_| Fault::new("the aggregates do not fit"))?;
+            self.aggregates = aggregates;
+        }
+        let old = Needs::from(&self.choice.for_asset(asset, &self.aggregates)?);
+        let new = Needs::from(&choice.for_asset(asset, &self.aggregates)?);
+        if old.history != new.history {
+            let mut state = OwnedState::new(&asset.rest, new);
             let (mut to, from) = (state.view_mut(), self.state.view());
-            to.place(&rest, from.x, from.v)?;
+            to.place(&asset.rest, from.x, from.v)?;
             to.rotations.copy_from_slice(from.rotations);
-            self.workspace = OwnedWorkspace::new(&rest, new);
             self.state = state;
+        }
+        if old != new {
+            self.workspace = OwnedWorkspace::new(&asset.rest, new);
         }
         self.choice = choice;
         Ok(())
@@ -192,7 +220,7 @@ impl Body {
     /// Advances by one step, and the colliders with it.
     pub fn step(&mut self) -> Result<StepReport, Fault> {
         let asset = self.asset.borrow_dependent();
-        let settings = self.choice.for_asset(asset)?;
+        let settings = self.choice.for_asset(asset, &self.aggregates)?;
         let scene = Scene {
             gravity: self.gravity,
             forces: &self.forces,

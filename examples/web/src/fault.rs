@@ -218,8 +218,9 @@ impl From<Refusal> for Fault {
             Refusal::OutOfRange => "forces or velocities are too large to be squared in f32".into(),
             Refusal::Pin { pin } => Self::at("pin {0} names a node that does not exist", pin),
             Refusal::Forces => "the list of forces is not as long as the body has nodes".into(),
+            Refusal::Storage => "state or workspace is not of the size of the rest data".into(),
             Refusal::Factor => "the factor was made for another mesh".into(),
-            _ => "state or workspace do not fit the body".into(),
+            _ => "the state keeps too little for these settings".into(),
         }
     }
 }
