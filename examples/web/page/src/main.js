@@ -69,6 +69,7 @@ class Page {
     this.mark = null;
     this.untouched = true;
     this.refuse(null);
+    this.sample();
   }
 
   /** Shows what was refused, or nothing. */

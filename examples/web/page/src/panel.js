@@ -112,7 +112,7 @@ export function buildPanel(page) {
   const material = (name) => (value) => page.world.setMaterial({ [name]: value });
   const materials = {
     young: numberControl('young', 'Stiffness', { min: 1e3, max: 1e8, log: true, value: 1e5, set: material('young'), say: (e) => `Young's modulus ${si(e, 'Pa')}` }),
-    poisson: numberControl('poisson', 'Poisson', { min: 0, max: 0.495, digits: 3, value: 0.4, set: material('poisson'), say: (nu) => (nu > 0.45 ? 'nearly keeps its volume; locks' : 'Poisson’s ratio') }),
+    poisson: numberControl('poisson', 'Poisson', { min: 0, max: 0.495, digits: 3, value: 0.4, set: material('poisson'), say: (nu) => (nu > 0.45 ? `ratio ${nu}: nearly keeps its volume, locks` : `ratio ${nu}`) }),
     density: numberControl('density', 'Density', { min: 50, max: 8000, log: true, value: 1000, set: material('density'), say: (rho) => whole(rho, 'kg/m³') }),
     beta: numberControl('beta', 'Damping', { min: 0, max: 0.05, digits: 2, value: 0, set: material('beta'), say: (b) => (b === 0 ? 'none of its own' : `β = ${b} s, of the stiffness`) }),
   };

@@ -126,7 +126,8 @@ export class View {
     for (const place of this.places) place.setBody(triangles);
     this.nodes = new Set(triangles);
     this.orbit.target.set(0, 0.45 * Math.max(0.7, size), 0);
-    this.camera.position.set(1.1, 1.0, 2.6).multiplyScalar(Math.max(1, size));
+    // Further away where the picture is narrow.
+    this.camera.position.set(1.1, 1.0, 2.6).multiplyScalar(Math.max(1, size) * Math.max(1, 0.85 / this.camera.aspect));
     this.orbit.update();
   }
 

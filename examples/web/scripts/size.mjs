@@ -1,0 +1,29 @@
+// What each part of the plain module costs: `node scripts/size.mjs`. A row is a build without the part; the difference is
+// the part's.
+
+import { ALL, sizeOf } from './module.mjs';
+
+/** Bytes that the plain module may have, with everything and with no optional part. */
+const MOST = { all: Infinity, least: Infinity };
+
+const NAMES = {
+  factors: 'factored preconditioners',
+  'two-level': 'the two-level preconditioner',
+  meshes: 'assets made in the module, of meshes and other materials',
+  measures: 'energies, momenta, the worst element',
+};
+
+const all = sizeOf({ simd: false });
+const rows = ALL.map((part) => [NAMES[part], all - sizeOf({ simd: false, features: ALL.filter((other) => other !== part) })]);
+const least = sizeOf({ simd: false, features: [] });
+const simd = sizeOf({ simd: true });
+
+console.log('| part | bytes |\n|---|---|');
+console.log(`| steps, assets, pins, colliders, forces, snapshots | ${least.toLocaleString('en')} |`);
+for (const [name, bytes] of rows) console.log(`| ${name} | ${bytes.toLocaleString('en')} |`);
+console.log(`| **everything, plain** | ${all.toLocaleString('en')} |`);
+console.log(`| everything, simd128 | ${simd.toLocaleString('en')} |`);
+if (all > MOST.all || least > MOST.least) {
+  console.error(`larger than ${MOST.least} and ${MOST.all} bytes`);
+  process.exitCode = 1;
+}
