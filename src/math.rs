@@ -13,7 +13,22 @@
 #[inline]
 #[must_use]
 pub fn sqrt(x: f32) -> f32 {
-    libm::sqrtf(x)
+    cfg_select! {
+        target_arch = "wasm32" => { wasm_sqrt(x) }
+        _ => { libm::sqrtf(x) }
+    }
+}
+
+/// On WASM `libm` has a routine as long as on a Cortex-M; the compiler's own run-time library, which is always
+/// linked, has the instruction, that stable Rust cannot name without `std`.
+#[cfg(target_arch = "wasm32")]
+#[allow(unsafe_code)]
+#[inline]
+fn wasm_sqrt(x: f32) -> f32 {
+    unsafe extern "C" {
+        safe fn sqrtf(x: f32) -> f32;
+    }
+    sqrtf(x)
 }
 
 /// A decision as a bit mask, all ones or all zeros: choosing costs the same either way.

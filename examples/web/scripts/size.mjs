@@ -4,11 +4,11 @@
 import { ALL, sizeOf } from './module.mjs';
 
 /** Bytes that the plain module may have, with everything and with no optional part. */
-const MOST = { all: Infinity, least: Infinity };
+const MOST = { all: 122_000, least: 98_000 };
 
 const NAMES = {
-  factors: 'factored preconditioners',
-  'two-level': 'the two-level preconditioner',
+  factors: 'choosing an asset\'s factor',
+  'two-level': 'dividing a body for the two-level preconditioner',
   meshes: 'assets made in the module, of meshes and other materials',
   measures: 'energies, momenta, the worst element',
 };
@@ -19,7 +19,7 @@ const least = sizeOf({ simd: false, features: [] });
 const simd = sizeOf({ simd: true });
 
 console.log('| part | bytes |\n|---|---|');
-console.log(`| steps, assets, pins, colliders, forces, snapshots | ${least.toLocaleString('en')} |`);
+console.log(`| steps with every preconditioner, assets, pins, colliders, forces, snapshots | ${least.toLocaleString('en')} |`);
 for (const [name, bytes] of rows) console.log(`| ${name} | ${bytes.toLocaleString('en')} |`);
 console.log(`| **everything, plain** | ${all.toLocaleString('en')} |`);
 console.log(`| everything, simd128 | ${simd.toLocaleString('en')} |`);

@@ -65,6 +65,7 @@ class Page {
 
   restart(lift) {
     this.world.place(lift);
+    this.view.goHome();
     this.plots.clear();
     this.mark = null;
     this.untouched = true;
@@ -110,7 +111,7 @@ class Page {
       }
       if (this.debt > world.dt) this.debt = 0;
       if (passed > 0) this.pace += 0.05 * (advanced / passed - this.pace);
-      this.share = performance.now() - begin;
+      if (!world.hand.held) this.view.goAlong(world.sides[0].body.positions);
     }
     if (this.frame++ % SAMPLED === 0) this.sample();
     this.view.draw(world.sides, world.hand.pinned);

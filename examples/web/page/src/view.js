@@ -131,6 +131,25 @@ export class View {
     this.orbit.update();
   }
 
+  /** Goes along with a body that leaves the picture. */
+  goAlong(positions) {
+    const middle = [0, 2].map((axis) => {
+      let sum = 0;
+      for (let k = axis; k < positions.length; k += 3) sum += positions[k];
+      return (3 * sum) / positions.length;
+    });
+    this.shift(0.04 * (middle[0] - this.orbit.target.x), 0.04 * (middle[1] - this.orbit.target.z));
+  }
+
+  /** Back to where the bodies start. */
+  goHome() {
+    this.shift(-this.orbit.target.x, -this.orbit.target.z);
+  }
+
+  shift(x, z) {
+    for (const at of [this.orbit.target, this.camera.position]) at.set(at.x + x, at.y, at.z + z);
+  }
+
   /** Places of the two halves: x and width, in CSS pixels. */
   halves() {
     const { clientWidth: width } = this.canvas;
