@@ -10,7 +10,7 @@ import { here, run, targetOf } from './run.mjs';
 
 /** Steps of a run, and how often the programs take turns. */
 const STEPS = 100;
-const TURNS = 12;
+const TURNS = 30;
 /** Times native SSE2 that the build for speed may take. The plain one has one lane where SSE2 has four. */
 const MOST = { 'femto-simd.wasm': 1.5 };
 
