@@ -112,7 +112,9 @@ pub fn targets(tables: &[Table]) -> bool {
     };
     let apply = middle.get(FACTORED.apply, native) / middle.get(PLAIN, 1);
     target(
-        &format!("factored apply in {native} lanes at most {limit} plain block-CSR products (25 k)"),
+        &format!(
+            "factored apply in {native} lanes at most {limit} plain block-CSR products (25 k)"
+        ),
         apply,
         apply <= limit,
     );
