@@ -24,6 +24,7 @@ use femto::element::Factored;
 use femto::glam::Vec3;
 use femto::lane::{Lanes, Native};
 use femto::operator::{Operator, rotate};
+use femto::order::fans;
 use femto::owned::{OwnedRest, OwnedState, OwnedWorkspace};
 use femto::preconditioner::factor::Entries;
 use femto::rest::Rest;
@@ -131,7 +132,8 @@ fn near(nodes: &[[f32; 3]], inside: impl Fn([f32; 3]) -> bool) -> Vec<u32> {
 }
 
 fn report(case: &Case) {
-    let mesh = Mesh::new(&case.nodes, &case.tets).expect("a good mesh");
+    let tets = fans(&case.tets).tets;
+    let mesh = Mesh::new(&case.nodes, &tets).expect("a good mesh");
     let material = Material::new(case.young, case.poisson, 1000.0).expect("a good material");
     let rest = OwnedRest::<Factored>::new(&mesh, &material).expect("in range");
     let rest = rest.view();
