@@ -10,11 +10,16 @@
 //! a branch would make the number of instructions depend on the data.
 
 /// Square root, correctly rounded. NaN for negative input.
+///
+/// One instruction, whatever the argument, on x86 with SSE2, AArch64, Arm with an FPU (`eabihf`: Cortex-M4F
+/// and up, ARMv7), and WASM with simd128; elsewhere `libm`'s routine, with the same bits.
 #[inline]
 #[must_use]
 pub fn sqrt(x: f32) -> f32 {
     cfg_select! {
+        all(target_arch = "arm", target_abi = "eabihf") => { vsqrt(x) }
         target_arch = "wasm32" => { wasm_sqrt(x) }
+        // With its feature `arch` it is the instruction on x86 and AArch64.
         _ => { libm::sqrtf(x) }
     }
 }
@@ -29,6 +34,27 @@ fn wasm_sqrt(x: f32) -> f32 {
         safe fn sqrtf(x: f32) -> f32;
     }
     sqrtf(x)
+}
+
+/// `libm` has 52 to 66 instructions here, as many as its argument likes. Inline assembly cannot name the FPU's
+/// registers as operands on stable Rust, so the bits go through a core register.
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+#[allow(unsafe_code)]
+#[inline]
+fn vsqrt(x: f32) -> f32 {
+    let mut bits = x.to_bits();
+    // SAFETY: reads and writes nothing but the registers named; `eabihf` targets have an FPU.
+    unsafe {
+        core::arch::asm!(
+            "vmov s0, {0}",
+            "vsqrt.f32 s0, s0",
+            "vmov {0}, s0",
+            inout(reg) bits,
+            out("s0") _,
+            options(pure, nomem, nostack, preserves_flags),
+        );
+    }
+    f32::from_bits(bits)
 }
 
 /// A decision as a bit mask, all ones or all zeros: choosing costs the same either way.

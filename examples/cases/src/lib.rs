@@ -1,0 +1,12 @@
+//! What the checks of bits, cost and size have in common, on every target: a hosted one, WASM, or firmware.
+//!
+//! * [`mesh`]: small irregular meshes, computed at compile time;
+//! * [`choices`]: every preconditioner and every start, by name. **A new one is added there, and only there**;
+//! * [`scenes`]: the scenes whose bits are compared, and their golden hashes;
+//! * [`states`]: the states in which a step must cost the same.
+#![no_std]
+
+pub mod choices;
+pub mod mesh;
+pub mod scenes;
+pub mod states;
