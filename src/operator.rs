@@ -185,6 +185,9 @@ pub enum Fit {
 }
 
 /// Fits the rotation of every tetrahedron to the positions `x`.
+///
+/// Inlined, so that a step, whose fit is always warm, does not link the cold one.
+#[inline(always)]
 pub fn fit_rotations<R: Lanes, L: Layout>(
     rest: &Rest<'_, L>,
     x: &[[f32; 3]],

@@ -184,6 +184,8 @@ pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
         core::array::from_fn(|i| core::array::from_fn(|j| if i == j { one } else { zero }));
     for _ in 0..EIGEN_SWEEPS {
         for (p, r) in [(0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2)] {
+            // Only to keep the panic of an index out of the binary.
+            let (p, r) = (p % 4, r % 4);
             // tan 2φ = 2 N_pr / (N_pp − N_rr)
             let (c2, s2) = direction(n[p][p] - n[r][r], n[p][r] + n[p][r]);
             let (half_c, half_s) = half_angle(c2, s2);

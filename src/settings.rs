@@ -14,13 +14,18 @@ pub struct Budget {
 }
 
 impl Default for Budget {
-    /// 5 iterations, 2 sweeps.
+    /// [`Budget::DEFAULT`]
     fn default() -> Self {
-        Self {
-            iterations: 5,
-            polar_sweeps: 2,
-        }
+        Self::DEFAULT
     }
+}
+
+impl Budget {
+    /// 5 iterations, 2 sweeps.
+    pub const DEFAULT: Self = Self {
+        iterations: 5,
+        polar_sweeps: 2,
+    };
 }
 
 /// Where the solver starts, and the space W that it solves exactly (see the front page).
@@ -146,16 +151,16 @@ impl<'a> Settings<'a> {
     ///
     /// # Errors
     /// [`SettingsError::Dt`].
-    pub fn new(dt: f32) -> Result<Self, SettingsError> {
+    pub const fn new(dt: f32) -> Result<Self, SettingsError> {
         if !(dt > 0.0 && dt.is_normal()) {
             return Err(SettingsError::Dt(dt));
         }
         Ok(Self {
             dt,
             theta: 1.0,
-            budget: Budget::default(),
-            start: Start::default(),
-            preconditioner: Preconditioner::default(),
+            budget: Budget::DEFAULT,
+            start: Start::Galerkin(1),
+            preconditioner: Preconditioner::Jacobi,
         })
     }
 
@@ -163,8 +168,8 @@ impl<'a> Settings<'a> {
     ///
     /// # Errors
     /// [`SettingsError::Theta`].
-    pub fn with_theta(self, theta: f32) -> Result<Self, SettingsError> {
-        if (0.5..=1.0).contains(&theta) {
+    pub const fn with_theta(self, theta: f32) -> Result<Self, SettingsError> {
+        if theta >= 0.5 && theta <= 1.0 {
             Ok(Self { theta, ..self })
         } else {
             Err(SettingsError::Theta(theta))
@@ -173,19 +178,19 @@ impl<'a> Settings<'a> {
 
     /// With this budget.
     #[must_use]
-    pub fn with_budget(self, budget: Budget) -> Self {
+    pub const fn with_budget(self, budget: Budget) -> Self {
         Self { budget, ..self }
     }
 
     /// With this start.
     #[must_use]
-    pub fn with_start(self, start: Start) -> Self {
+    pub const fn with_start(self, start: Start) -> Self {
         Self { start, ..self }
     }
 
     /// With this preconditioner.
     #[must_use]
-    pub fn with_preconditioner(self, preconditioner: Preconditioner<'a>) -> Self {
+    pub const fn with_preconditioner(self, preconditioner: Preconditioner<'a>) -> Self {
         Self {
             preconditioner,
             ..self

@@ -88,8 +88,13 @@ impl Space<'_> {
     pub fn orthonormalise(&mut self, system: &impl System) {
         let count = self.vectors.len().checked_div(self.nodes).unwrap_or(0);
         for k in 0..count {
-            let (vectors, rest) = self.vectors.split_at_mut(k * self.nodes);
-            let (products, rest_products) = self.products.split_at_mut(k * self.nodes);
+            let at = k * self.nodes;
+            let (Some((vectors, rest)), Some((products, rest_products))) = (
+                self.vectors.split_at_mut_checked(at),
+                self.products.split_at_mut_checked(at),
+            ) else {
+                return;
+            };
             let (Some(w), Some(aw)) = (
                 rest.get_mut(..self.nodes),
                 rest_products.get_mut(..self.nodes),
@@ -189,7 +194,8 @@ pub(crate) fn fill_space<L: Layout>(
     filter: &[Sym3<f32>],
     vectors: &mut [[f32; 3]],
 ) {
-    let nodes = rest.nodes.len();
+    // At least 1: see `pairs`.
+    let nodes = rest.nodes.len().max(1);
     let (velocities, rotations) = match start {
         Start::Galerkin(m) => (usize::from(m), false),
         Start::Rigid(m) => (usize::from(m), true),

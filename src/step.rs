@@ -34,7 +34,7 @@ use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translations, fill_space, keep_momentum};
-use crate::vector::{add_scaled, dot, sym_mul};
+use crate::vector::{add_scaled, copy, dot, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
 pub(crate) struct Units {
@@ -209,7 +209,7 @@ pub fn step<R: Lanes, L: Layout>(
 
     // The start v₀ in place of its constrained part c; then the bracket, with c in v(t).
     if units.theta < 1.0 {
-        work.q.copy_from_slice(work.v);
+        copy(work.q, work.v);
         add_free(state.v, work.filter, &units, work.q);
     }
     match settings.start {
@@ -471,14 +471,15 @@ fn advance<L: Layout>(
 
 /// Keeps what [`advance`] found.
 fn commit<L: Layout>(state: &mut StateMut<'_>, work: &WorkspaceMut<'_, L>) {
-    let nodes = state.v.len();
-    let kept = state.history.len().saturating_sub(nodes);
-    if state.history.len() >= nodes {
-        state.history.copy_within(..kept, nodes);
-        if let Some(latest) = state.history.get_mut(..nodes) {
-            latest.copy_from_slice(state.v);
-        }
+    let nodes = state.v.len().max(1);
+    let mut later = &mut *state.history;
+    // From the oldest to the latest, each takes over its successor.
+    while let Some(kept) = later.len().checked_sub(nodes) {
+        let (newer, oldest) = later.split_at_mut(kept);
+        let successor = newer.get(kept.saturating_sub(nodes)..).unwrap_or_default();
+        copy(oldest, if kept < nodes { state.v } else { successor });
+        later = newer;
     }
-    state.v.copy_from_slice(work.v);
-    state.x.copy_from_slice(work.p);
+    copy(state.v, work.v);
+    copy(state.x, work.p);
 }

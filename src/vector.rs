@@ -69,6 +69,14 @@ pub fn advance(v: &mut [[f32; 3]], r: &mut [[f32; 3]], a: f32, p: &[[f32; 3]], q
     }
 }
 
+/// y = x, as far as both go: a length that differs is no panic.
+#[inline]
+pub fn copy<T: Copy>(y: &mut [T], x: &[T]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y = *x;
+    }
+}
+
 /// y += a x
 #[inline]
 pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {

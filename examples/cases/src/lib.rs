@@ -3,10 +3,11 @@
 //! * [`mesh`]: small irregular meshes, computed at compile time;
 //! * [`choices`]: every preconditioner and every start, by name. **A new one is added there, and only there**;
 //! * [`scenes`]: the scenes whose bits are compared, and their golden hashes;
-//! * [`states`]: the states in which a step must cost the same.
+//! * [`states`] and [`cost`]: the states in which a step must cost the same, and steps to be counted.
 #![no_std]
 
 pub mod choices;
+pub mod cost;
 pub mod mesh;
 pub mod scenes;
 pub mod states;

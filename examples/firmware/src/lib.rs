@@ -6,6 +6,9 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
+#[cfg(target_arch = "arm")]
+pub mod stack;
+
 /// The panic handler of the programs that print: says where, and exits with 101.
 #[macro_export]
 macro_rules! report_panics {

@@ -1,0 +1,328 @@
+//! Steps whose instructions an emulator counts, between two marker functions.
+//!
+//! A program calls [`prove`] or [`measure`]; before every counted step they say what it is, and the emulator's
+//! plugin (`examples/firmware/counter.c`) finishes the line with the count.
+
+use core::fmt::Arguments;
+use core::hint::black_box;
+
+use femto::glam::Vec3;
+use femto::{
+    Body, Budget, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start,
+    StepReport, blocks,
+};
+
+use crate::choices::{HISTORY, PRECONDITIONERS, STARTS, VECTORS};
+use crate::mesh::Grid;
+use crate::states::{REFUSED, STATES, State};
+
+static SMALLEST: Grid<12, 12> = Grid::new([2, 1, 1]);
+static FLAT: Grid<48, 90> = Grid::new([5, 3, 1]);
+static LONG: Grid<90, 216> = Grid::new([9, 2, 2]);
+static THICK: Grid<180, 600> = Grid::new([5, 5, 4]);
+static CUBE: Grid<64, 162> = Grid::new([3, 3, 3]);
+static BAR: Grid<208, 648> = Grid::new([12, 3, 3]);
+static LARGE: Grid<NODES, TETS> = Grid::new([15, 5, 4]);
+
+const NODES: usize = 480;
+const TETS: usize = 1800;
+
+/// Room for the largest mesh and any start; all bits zero, to be a `static`.
+pub type Room = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS>;
+
+/// A mesh, borrowed.
+type Rest = (&'static [[f32; 3]], &'static [[u32; 4]]);
+
+/// The meshes that the cost table is fitted to.
+const FITTED: [Rest; 4] = [
+    (&SMALLEST.nodes, &SMALLEST.tets),
+    (&FLAT.nodes, &FLAT.tets),
+    (&LONG.nodes, &LONG.tets),
+    (&THICK.nodes, &THICK.tets),
+];
+/// Those that it is then compared with.
+const OTHERS: [Rest; 3] = [
+    (&CUBE.nodes, &CUBE.tets),
+    (&BAR.nodes, &BAR.tets),
+    (&LARGE.nodes, &LARGE.tets),
+];
+
+/// What the program does around a counted step.
+pub struct Counter<Say> {
+    /// Prints what is counted, without ending the line.
+    pub say: Say,
+    /// The marker functions.
+    pub begin: fn(),
+    /// …
+    pub end: fn(),
+    /// Stops at a tolerance instead of the budget, to show that a count would tell.
+    pub early_exit: bool,
+}
+
+/// Why a step was not taken: its own numbers are refused. A defect of this program.
+#[derive(Clone, Copy, Debug)]
+pub struct BadCase;
+
+/// One step.
+#[derive(Clone, Copy, Debug)]
+struct Case {
+    preconditioner: (&'static str, Preconditioner),
+    start: (&'static str, Start),
+    budget: Budget,
+    pins: usize,
+    colliders: usize,
+    moving: bool,
+    forces: bool,
+    theta: f32,
+}
+
+const PLAIN: Case = Case {
+    preconditioner: ("jacobi", Preconditioner::Jacobi),
+    start: ("galerkin-1", Start::Galerkin(1)),
+    budget: Budget {
+        iterations: 5,
+        polar_sweeps: 1,
+    },
+    pins: 0,
+    colliders: 0,
+    moving: false,
+    forces: false,
+    theta: 1.0,
+};
+
+/// Steps of the 64-node cube in every state, for every preconditioner and start; free and touching two colliders,
+/// and held.
+///
+/// # Errors
+/// [`BadCase`].
+pub fn prove(
+    room: &mut Room,
+    counter: &mut Counter<impl FnMut(Arguments<'_>)>,
+) -> Result<(), BadCase> {
+    let [cube, ..] = OTHERS;
+    fill(room, cube)?;
+    for preconditioner in PRECONDITIONERS {
+        for start in STARTS {
+            for (world, pins, colliders) in [("touching", 0, 2), ("held", 1, 0)] {
+                let case = Case {
+                    preconditioner,
+                    start,
+                    pins,
+                    colliders,
+                    ..PLAIN
+                };
+                for state in STATES {
+                    (counter.say)(format_args!(
+                        "{} {} {world} {} ",
+                        preconditioner.0, start.0, state.0
+                    ));
+                    counted(room, cube, &case, state, counter)?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Steps of several meshes in enough different settings to fit the cost table (`fit`) and to compare it
+/// (`check`). A line is: fit or check, nodes, tetrahedra, preconditioner, start, iterations, sweeps, pins,
+/// colliders, moving, forces, newmark, count.
+///
+/// # Errors
+/// [`BadCase`].
+pub fn measure(
+    room: &mut Room,
+    counter: &mut Counter<impl FnMut(Arguments<'_>)>,
+) -> Result<(), BadCase> {
+    for mesh in FITTED {
+        fill(room, mesh)?;
+        for case in design() {
+            line(room, mesh, &case, "fit", counter)?;
+        }
+    }
+    for mesh in OTHERS {
+        fill(room, mesh)?;
+        for (k, preconditioner) in PRECONDITIONERS.into_iter().enumerate() {
+            for (j, start) in STARTS.into_iter().enumerate() {
+                let mixed = Case {
+                    preconditioner,
+                    start,
+                    budget: budget(2 + (3 * k + j) as u32, 1 + (j % 3) as u32),
+                    pins: (k + j) % 3,
+                    colliders: (k + 2 * j) % 3,
+                    moving: k == 2,
+                    forces: j == 1,
+                    theta: if (k + j) % 4 == 3 { 0.5 } else { 1.0 },
+                };
+                line(room, mesh, &mixed, "check", counter)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+const fn budget(iterations: u32, polar_sweeps: u32) -> Budget {
+    Budget {
+        iterations,
+        polar_sweeps,
+    }
+}
+
+/// Every term of the cost with and without the terms that it multiplies.
+fn design() -> impl Iterator<Item = Case> {
+    let by_preconditioner = PRECONDITIONERS.into_iter().flat_map(|preconditioner| {
+        [(0, 0), (6, 0), (0, 1), (6, 2)].map(|(iterations, colliders)| Case {
+            preconditioner,
+            budget: budget(iterations, 1),
+            colliders,
+            ..PLAIN
+        })
+    });
+    let by_start = STARTS.into_iter().flat_map(|start| {
+        [(0, 0, 0), (6, 0, 0), (0, 1, 0), (6, 1, 1), (3, 3, 2)].map(
+            |(iterations, pins, colliders)| Case {
+                start,
+                budget: budget(iterations, 1),
+                pins,
+                colliders,
+                ..PLAIN
+            },
+        )
+    });
+    let others = [
+        Case {
+            budget: budget(0, 0),
+            ..PLAIN
+        },
+        Case {
+            budget: budget(0, 4),
+            ..PLAIN
+        },
+        Case {
+            forces: true,
+            ..PLAIN
+        },
+        Case {
+            theta: 0.5,
+            ..PLAIN
+        },
+        Case {
+            pins: 2,
+            moving: true,
+            ..PLAIN
+        },
+        Case {
+            colliders: 1,
+            moving: true,
+            ..PLAIN
+        },
+    ];
+    by_preconditioner.chain(by_start).chain(others)
+}
+
+fn line(
+    room: &mut Room,
+    mesh: Rest,
+    case: &Case,
+    purpose: &str,
+    counter: &mut Counter<impl FnMut(Arguments<'_>)>,
+) -> Result<(), BadCase> {
+    (counter.say)(format_args!(
+        "{purpose} {} {} {} {} {} {} {} {} {} {} {} ",
+        mesh.0.len(),
+        mesh.1.len(),
+        case.preconditioner.0,
+        case.start.0,
+        case.budget.iterations,
+        case.budget.polar_sweeps,
+        case.pins,
+        case.colliders,
+        u8::from(case.moving && case.pins + case.colliders > 0),
+        u8::from(case.forces),
+        u8::from(case.theta < 1.0),
+    ));
+    counted(room, mesh, case, STATES[1], counter)
+}
+
+fn fill(room: &mut Room, (nodes, tets): Rest) -> Result<(), BadCase> {
+    let mesh = Mesh::new(nodes, tets).map_err(|_| BadCase)?;
+    let material = Material::new(1e6, 0.4, 1000.0).map_err(|_| BadCase)?;
+    room.fill(&mesh, &material).map_err(|_| BadCase)
+}
+
+/// Takes one step from a state between the marks.
+fn counted(
+    room: &mut Room,
+    (nodes, _): Rest,
+    case: &Case,
+    (name, change): (&str, State),
+    counter: &Counter<impl FnMut(Arguments<'_>)>,
+) -> Result<(), BadCase> {
+    let (mut x, mut v, force) = (
+        [[0.0; 3]; NODES],
+        [[0.0; 3]; NODES],
+        [[0.5, 1.0, -0.25]; NODES],
+    );
+    let (x, v) = (&mut x[..nodes.len()], &mut v[..nodes.len()]);
+    x.copy_from_slice(nodes);
+    change(x, v);
+    room.place(x, v).map_err(|_| BadCase)?;
+
+    let velocity = if case.moving {
+        Vec3::new(0.1, 0.0, 0.2)
+    } else {
+        Vec3::ZERO
+    };
+    let ground = Collider::half_space(Vec3::Y, 0.0)
+        .and_then(|c| c.with_friction(0.5))
+        .and_then(|c| c.with_velocity(velocity));
+    let ball =
+        Collider::sphere(Vec3::new(0.5, -0.5, 0.5), 0.51).and_then(|c| c.with_velocity(velocity));
+    let colliders = [ground.map_err(|_| BadCase)?, ball.map_err(|_| BadCase)?];
+    let pins = [0, 1, 2].map(|node| Pin { node, velocity });
+    let scene = Scene {
+        gravity: Vec3::new(0.0, -9.81, 0.0),
+        forces: if case.forces {
+            &force[..nodes.len()]
+        } else {
+            &[]
+        },
+        pins: &pins[..case.pins],
+        colliders: &colliders[..case.colliders],
+    };
+    let settings = Settings::new(1.0 / 60.0)
+        .and_then(|s| s.with_theta(case.theta))
+        .map_err(|_| BadCase)?
+        .with_start(case.start.1)
+        .with_preconditioner(case.preconditioner.1)
+        .with_budget(case.budget);
+    if name == REFUSED {
+        if room.step(&scene, &settings).advanced() {
+            return Err(BadCase);
+        }
+        v.fill([0.0; 3]);
+        room.place(x, v).map_err(|_| BadCase)?;
+    }
+    (counter.begin)();
+    let mut report = step(room, &scene, &settings);
+    if counter.early_exit {
+        for _ in 0..8 {
+            if report.relative_residual() < 0.1 {
+                break;
+            }
+            report = step(room, &scene, &settings);
+        }
+    }
+    (counter.end)();
+    if report.advanced() {
+        Ok(())
+    } else {
+        Err(BadCase)
+    }
+}
+
+/// The step as firmware would call it: neither its settings nor its scene are known to the compiler.
+#[inline(never)]
+fn step(room: &mut Room, scene: &Scene<'_>, settings: &Settings) -> StepReport {
+    black_box(room).step(black_box(scene), black_box(settings))
+}
