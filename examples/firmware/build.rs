@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The demonstration gets the 20 KB that it is meant for, the proofs what they like.
     for (ram, binaries) in [
         ("20K", &["firmware"][..]),
-        ("1M", &["bits", "code", "cost"]),
+        ("4M", &["bits", "code", "cost"]),
     ] {
         let map = if riscv {
             RISCV.to_string()

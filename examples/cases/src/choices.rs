@@ -2,13 +2,31 @@
 
 use femto::{Preconditioner, Start};
 
+use crate::factor::Kind;
+
+/// A preconditioner by what it needs.
+#[derive(Clone, Copy, Debug)]
+pub enum Choice {
+    /// One that has all it needs.
+    Local(Preconditioner<'static>),
+    /// One with a factor, which the program holds.
+    Factored(Kind),
+}
+
 /// All of them, by name.
-pub const PRECONDITIONERS: [(&str, Preconditioner); 4] = [
-    ("identity", Preconditioner::Identity),
-    ("mass", Preconditioner::Mass),
-    ("jacobi", Preconditioner::Jacobi),
-    ("block-jacobi", Preconditioner::BlockJacobi),
+pub const PRECONDITIONERS: [(&str, Choice); 8] = [
+    ("identity", Choice::Local(Preconditioner::Identity)),
+    ("mass", Choice::Local(Preconditioner::Mass)),
+    ("jacobi", Choice::Local(Preconditioner::Jacobi)),
+    ("block-jacobi", Choice::Local(Preconditioner::BlockJacobi)),
+    ("warped", Choice::Factored(Kind::Warped)),
+    ("warped-half", Choice::Factored(Kind::WarpedHalf)),
+    ("laplacian", Choice::Factored(Kind::Laplacian)),
+    ("laplacian-half", Choice::Factored(Kind::LaplacianHalf)),
 ];
+
+/// The one of [`PRECONDITIONERS`] that is the default.
+pub const JACOBI: (&str, Choice) = PRECONDITIONERS[2];
 
 /// All kinds, by name, with and without history.
 pub const STARTS: [(&str, Start); 6] = [

@@ -12,7 +12,8 @@ use femto::{
     StepReport, blocks,
 };
 
-use crate::choices::{HISTORY, PRECONDITIONERS, STARTS, VECTORS};
+use crate::choices::{Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
+use crate::factor::FactorRoom;
 use crate::mesh::Grid;
 use crate::states::{REFUSED, STATES, State};
 
@@ -27,8 +28,25 @@ static LARGE: Grid<NODES, TETS> = Grid::new([15, 5, 4]);
 const NODES: usize = 480;
 const TETS: usize = 1800;
 
-/// Room for the largest mesh and any start; all bits zero, to be a `static`.
-pub type Room = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS>;
+/// Room for the largest mesh, any start and any preconditioner; all bits zero, to be a `static`.
+#[derive(Debug, Default)]
+pub struct Room {
+    body: AnyBody,
+    factors: FactorRoom<NODES, { 7 * NODES }>,
+}
+
+type AnyBody = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS>;
+
+impl Room {
+    /// Empty.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            body: Body::new(),
+            factors: FactorRoom::new(),
+        }
+    }
+}
 
 /// A mesh, borrowed.
 type Rest = (&'static [[f32; 3]], &'static [[u32; 4]]);
@@ -66,7 +84,7 @@ pub struct BadCase;
 /// One step.
 #[derive(Clone, Copy, Debug)]
 struct Case {
-    preconditioner: (&'static str, Preconditioner),
+    preconditioner: (&'static str, Choice),
     start: (&'static str, Start),
     budget: Budget,
     pins: usize,
@@ -77,7 +95,7 @@ struct Case {
 }
 
 const PLAIN: Case = Case {
-    preconditioner: ("jacobi", Preconditioner::Jacobi),
+    preconditioner: JACOBI,
     start: ("galerkin-1", Start::Galerkin(1)),
     budget: Budget {
         iterations: 5,
@@ -125,7 +143,7 @@ pub fn prove(
 }
 
 /// Steps of several meshes in enough different settings to fit the cost table (`fit`) and to compare it
-/// (`check`). A line is: fit or check, nodes, tetrahedra, preconditioner, start, iterations, sweeps, pins,
+/// (`check`). A line is: fit or check, nodes, tetrahedra, entries of the factor, preconditioner, start, iterations, sweeps, pins,
 /// colliders, moving, forces, newmark, count.
 ///
 /// # Errors
@@ -228,9 +246,10 @@ fn line(
     counter: &mut Counter<impl FnMut(Arguments<'_>)>,
 ) -> Result<(), BadCase> {
     (counter.say)(format_args!(
-        "{purpose} {} {} {} {} {} {} {} {} {} {} {} ",
+        "{purpose} {} {} {} {} {} {} {} {} {} {} {} {} ",
         mesh.0.len(),
         mesh.1.len(),
+        room.factors.entries(),
         case.preconditioner.0,
         case.start.0,
         case.budget.iterations,
@@ -247,7 +266,8 @@ fn line(
 fn fill(room: &mut Room, (nodes, tets): Rest) -> Result<(), BadCase> {
     let mesh = Mesh::new(nodes, tets).map_err(|_| BadCase)?;
     let material = Material::new(1e6, 0.4, 1000.0).map_err(|_| BadCase)?;
-    room.fill(&mesh, &material).map_err(|_| BadCase)
+    room.factors.fill(nodes.len(), tets);
+    room.body.fill(&mesh, &material).map_err(|_| BadCase)
 }
 
 /// Takes one step from a state between the marks.
@@ -266,7 +286,8 @@ fn counted(
     let (x, v) = (&mut x[..nodes.len()], &mut v[..nodes.len()]);
     x.copy_from_slice(nodes);
     change(x, v);
-    room.place(x, v).map_err(|_| BadCase)?;
+    let Room { body, factors } = room;
+    body.place(x, v).map_err(|_| BadCase)?;
 
     let velocity = if case.moving {
         Vec3::new(0.1, 0.0, 0.2)
@@ -290,27 +311,36 @@ fn counted(
         pins: &pins[..case.pins],
         colliders: &colliders[..case.colliders],
     };
+    let factor;
+    let preconditioner = match case.preconditioner.1 {
+        Choice::Local(preconditioner) => preconditioner,
+        Choice::Factored(kind) => {
+            let made = factors.factor(kind, body.rest().header.fingerprint);
+            factor = made.map_err(|_| BadCase)?;
+            Preconditioner::Factored(&factor)
+        }
+    };
     let settings = Settings::new(1.0 / 60.0)
         .and_then(|s| s.with_theta(case.theta))
         .map_err(|_| BadCase)?
         .with_start(case.start.1)
-        .with_preconditioner(case.preconditioner.1)
+        .with_preconditioner(preconditioner)
         .with_budget(case.budget);
     if name == REFUSED {
-        if room.step(&scene, &settings).advanced() {
+        if body.step(&scene, &settings).advanced() {
             return Err(BadCase);
         }
         v.fill([0.0; 3]);
-        room.place(x, v).map_err(|_| BadCase)?;
+        body.place(x, v).map_err(|_| BadCase)?;
     }
     (counter.begin)();
-    let mut report = step(room, &scene, &settings);
+    let mut report = step(body, &scene, &settings);
     if counter.early_exit {
         for _ in 0..8 {
             if report.relative_residual() < 0.1 {
                 break;
             }
-            report = step(room, &scene, &settings);
+            report = step(body, &scene, &settings);
         }
     }
     (counter.end)();
@@ -323,6 +353,6 @@ fn counted(
 
 /// The step as firmware would call it: neither its settings nor its scene are known to the compiler.
 #[inline(never)]
-fn step(room: &mut Room, scene: &Scene<'_>, settings: &Settings) -> StepReport {
-    black_box(room).step(black_box(scene), black_box(settings))
+fn step(body: &mut AnyBody, scene: &Scene<'_>, settings: &Settings<'_>) -> StepReport {
+    black_box(body).step(black_box(scene), black_box(settings))
 }

@@ -1,6 +1,7 @@
 //! What the checks of bits, cost and size have in common, on every target: a hosted one, WASM, or firmware.
 //!
 //! * [`mesh`]: small irregular meshes, computed at compile time;
+//! * [`factor`]: made-up factors for the factored preconditioners;
 //! * [`choices`]: every preconditioner and every start, by name. **A new one is added there, and only there**;
 //! * [`scenes`]: the scenes whose bits are compared, and their golden hashes;
 //! * [`states`] and [`cost`]: the states in which a step must cost the same, and steps to be counted.
@@ -8,6 +9,7 @@
 
 pub mod choices;
 pub mod cost;
+pub mod factor;
 pub mod mesh;
 pub mod scenes;
 pub mod states;

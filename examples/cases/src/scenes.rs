@@ -10,7 +10,8 @@ use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::{Body, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start, blocks};
 
-use crate::choices::{HISTORY, PRECONDITIONERS, STARTS, VECTORS};
+use crate::choices::{Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
+use crate::factor::FactorRoom;
 use crate::mesh::Grid;
 
 /// Steps after which the state is hashed.
@@ -32,6 +33,7 @@ pub struct Bodies {
     factored: AnyBody<femto::element::Factored>,
     dense: AnyBody<Dense>,
     saved: State<NODES, { blocks(TETS) }, HISTORY>,
+    factor: FactorRoom<NODES, { 6 * TETS }>,
 }
 
 impl Bodies {
@@ -42,6 +44,7 @@ impl Bodies {
             factored: Body::new(),
             dense: Body::new(),
             saved: State::new(),
+            factor: FactorRoom::new(),
         }
     }
 }
@@ -64,7 +67,7 @@ pub struct Case {
     pub name: [&'static str; 2],
     world: World,
     start: Start,
-    preconditioner: Preconditioner,
+    preconditioner: Choice,
     theta: f32,
     dense: bool,
     rolls_back: bool,
@@ -76,7 +79,7 @@ impl Case {
             name: ["scene", name],
             world,
             start: Start::Galerkin(1),
-            preconditioner: Preconditioner::Jacobi,
+            preconditioner: JACOBI.1,
             theta: 1.0,
             dense: false,
             rolls_back: false,
@@ -132,22 +135,17 @@ pub fn run(
     steps: u32,
     checkpoint: impl FnMut(u32, u64),
 ) -> Result<(), BadCase> {
+    let Bodies {
+        factored,
+        dense,
+        saved,
+        factor,
+    } = bodies;
+    factor.fill(NODES, &MESH.tets);
     if case.dense {
-        run_body(
-            case,
-            &mut bodies.dense,
-            &mut bodies.saved,
-            steps,
-            checkpoint,
-        )
+        run_body(case, dense, saved, factor, steps, checkpoint)
     } else {
-        run_body(
-            case,
-            &mut bodies.factored,
-            &mut bodies.saved,
-            steps,
-            checkpoint,
-        )
+        run_body(case, factored, saved, factor, steps, checkpoint)
     }
 }
 
@@ -155,6 +153,7 @@ fn run_body<L: Layout>(
     case: &Case,
     body: &mut AnyBody<L>,
     saved: &mut State<NODES, { blocks(TETS) }, HISTORY>,
+    factors: &FactorRoom<NODES, { 6 * TETS }>,
     steps: u32,
     mut checkpoint: impl FnMut(u32, u64),
 ) -> Result<(), BadCase> {
@@ -176,11 +175,20 @@ fn run_body<L: Layout>(
     }
     body.place(&MESH.nodes, &v).map_err(|_| BadCase)?;
 
+    let factor;
+    let preconditioner = match case.preconditioner {
+        Choice::Local(preconditioner) => preconditioner,
+        Choice::Factored(kind) => {
+            let made = factors.factor(kind, body.rest().header.fingerprint);
+            factor = made.map_err(|_| BadCase)?;
+            Preconditioner::Factored(&factor)
+        }
+    };
     let settings = Settings::new(1.0 / 150.0)
         .and_then(|s| s.with_theta(case.theta))
         .map_err(|_| BadCase)?
         .with_start(case.start)
-        .with_preconditioner(case.preconditioner);
+        .with_preconditioner(preconditioner);
     let pins = [
         Pin::held(0),
         Pin::held(1),
