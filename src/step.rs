@@ -89,6 +89,7 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         self.operator.apply::<R>(u, out);
     }
+    #[inline(always)]
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         self.preconditioner.apply(r, z);
     }

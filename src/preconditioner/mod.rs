@@ -133,7 +133,8 @@ pub struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// `z` = P B P r
+    /// `z` = P B P r. Inlined, so that firmware whose choice is a constant links no other.
+    #[inline(always)]
     pub fn apply(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         match self.preconditioner {
             Preconditioner::Factored(factor) if factor.is_warped() => {
