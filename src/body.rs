@@ -21,7 +21,7 @@ use crate::rest::{Rest, RestBuffer};
 use crate::settings::Settings;
 pub use crate::state::{State, StateError, StateMut, StateRef, state_bytes};
 use crate::step::{Scene, StepReport, step};
-pub use crate::workspace::{Workspace, WorkspaceMut, workspace_bytes};
+pub use crate::workspace::{Workspace, WorkspaceMut, workspace_bytes, workspace_numbers};
 
 /// What every body can do, over `parts` and `rest_and_state`.
 macro_rules! body_methods {

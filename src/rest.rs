@@ -56,7 +56,8 @@ pub struct Header {
 }
 
 impl Header {
-    pub(crate) const EMPTY: Self = Self {
+    /// Of no mesh. All bits zero.
+    pub const EMPTY: Self = Self {
         fingerprint: 0,
         tets: 0,
         alpha: 0.0,
@@ -102,14 +103,45 @@ impl<L: Layout> Rest<'_, L> {
     }
 }
 
-/// Where rest data is written: slices of the right lengths (see [`fill`]).
+/// Where rest data is written: memory of the caller's, for meshes whose size is known at run time only.
 #[derive(Debug)]
-pub(crate) struct RestMut<'a, L: Layout> {
+pub struct RestMut<'a, L: Layout = Factored> {
+    /// One a node.
     pub nodes: &'a mut [[f32; 3]],
+    /// One a node.
     pub masses: &'a mut [f32],
+    /// As many as [`blocks`] says.
     pub blocks: &'a mut [TetBlock],
+    /// As many.
     pub stiffness: &'a mut [L::Stiffness],
+    /// The rest.
     pub header: &'a mut Header,
+}
+
+impl<L: Layout> RestMut<'_, L> {
+    /// Computes the rest data of a mesh.
+    ///
+    /// # Errors
+    /// [`MeshError::TooManyNodes`] or [`MeshError::TooManyTets`] where a slice is not of the mesh's length, else
+    /// [`MeshError::OutOfScale`]. Nothing is written then.
+    pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
+        let (nodes, tets) = (mesh.nodes().len(), mesh.tets().len());
+        if self.nodes.len() != nodes || self.masses.len() != nodes {
+            return Err(MeshError::TooManyNodes {
+                needed: nodes,
+                capacity: self.nodes.len().min(self.masses.len()),
+            });
+        }
+        if self.blocks.len() != blocks(tets) || self.stiffness.len() != blocks(tets) {
+            return Err(MeshError::TooManyTets {
+                needed: tets,
+                capacity: self.blocks.len().min(self.stiffness.len()) * BLOCK,
+            });
+        }
+        check_scale(mesh, material)?;
+        fill(mesh, material, self);
+        Ok(())
+    }
 }
 
 /// Checks that what a step computes of every tetrahedron at rest is in the range of f32: its mass, λV,

@@ -19,6 +19,49 @@ pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) coarse: &'a mut [f32],
 }
 
+impl<'a, L: Layout> WorkspaceMut<'a, L> {
+    /// Cuts a workspace from memory of the caller's: one rotated stiffness a block, and [`workspace_numbers`]
+    /// numbers; what is left serves a two-level preconditioner. Where that is too little, empty slices, which
+    /// a step refuses.
+    #[must_use]
+    pub fn over(
+        rest: &Rest<'_, L>,
+        vectors: usize,
+        rotated: &'a mut [L::Rotated],
+        numbers: &'a mut [f32],
+    ) -> Self {
+        let nodes = rest.nodes.len();
+        let (mut left, length) = (numbers, vectors * nodes);
+        let (filter, blocks) = (take(&mut left, nodes), take(&mut left, nodes));
+        let inertia = take::<1>(&mut left, nodes).as_flattened_mut();
+        let [v, r, p, q] = core::array::from_fn(|_| take(&mut left, nodes));
+        let [vectors, products] = core::array::from_fn(|_| take(&mut left, length));
+        Self {
+            rotated,
+            filter,
+            blocks,
+            inertia,
+            v,
+            r,
+            p,
+            q,
+            vectors,
+            products,
+            coarse: left,
+        }
+        .cut(nodes, rest.blocks.len(), length)
+    }
+}
+
+/// The first `count` groups of `N` numbers; none where there are not as many.
+fn take<'a, const N: usize>(numbers: &mut &'a mut [f32], count: usize) -> &'a mut [[f32; N]] {
+    let Some((taken, left)) = core::mem::take(numbers).split_at_mut_checked(N * count) else {
+        return &mut [];
+    };
+    *numbers = left;
+    taken.as_chunks_mut().0
+}
+
 impl<L: Layout> WorkspaceMut<'_, L> {
     /// The parts that a body needs of larger ones; empty where there is too little.
     pub(crate) fn cut(self, nodes: usize, blocks: usize, stored: usize) -> Self {
@@ -38,15 +81,17 @@ impl<L: Layout> WorkspaceMut<'_, L> {
     }
 }
 
+/// Numbers of a workspace besides the rotated stiffness, with so many stored vectors of W.
+#[must_use]
+pub const fn workspace_numbers(nodes: usize, vectors: usize) -> usize {
+    nodes * (3 * (4 + 2 * vectors) + 2 * 6 + 1)
+}
+
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors));
 /// a two-level preconditioner takes [`coarse_length`](crate::preconditioner::coarse::coarse_length) f32 more.
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
-    nodes
-        * ((4 + 2 * vectors) * size_of::<[f32; 3]>()
-            + 2 * size_of::<Sym3<f32>>()
-            + size_of::<f32>())
-        + blocks * size_of::<L::Rotated>()
+    workspace_numbers(nodes, vectors) * size_of::<f32>() + blocks * size_of::<L::Rotated>()
 }
 
 /// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, `VECTORS` stored vectors of W, and `COARSE`

@@ -2,19 +2,23 @@
 
 mod support;
 
-use femto::body::{Body, State, Workspace, rest_bytes, state_bytes, workspace_bytes};
+use femto::Pin;
+use femto::body::{
+    Body, State, Workspace, WorkspaceMut, rest_bytes, state_bytes, workspace_bytes,
+    workspace_numbers,
+};
 use femto::collider::Collider;
-use femto::element::{Dense, Factored};
+use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::{Native, blocks};
 use femto::material::Material;
 use femto::mesh::{Mesh, MeshError};
-use femto::owned::{OwnedBody, OwnedRest, OwnedWorkspace};
-use femto::rest::RestBuffer;
+use femto::owned::{OwnedBody, OwnedRest, OwnedState, OwnedWorkspace};
+use femto::rest::{Header, Rest, RestBuffer, RestMut, TetBlock};
 use femto::settings::{Budget, Settings, Start};
 use femto::step::{Refusal, Scene, step};
-use support::meshes::box_mesh;
+use support::meshes::{box_mesh, jitter};
 use support::scenes::{self, Setup};
 
 const START: Start = Start::Rigid(3);
@@ -340,4 +344,65 @@ fn a_body_lives_in_a_static() {
         polar_sweeps: 1,
     });
     assert!(body.step(&setup.scene(&[]), &settings).advanced());
+}
+
+#[test]
+fn memory_of_the_callers_gives_the_same_bits() {
+    let grid = jitter(&box_mesh([0.4, 0.3, 0.2], [2, 2, 1]), 0.02, 5);
+    let mesh = Mesh::new(&grid.nodes, &grid.tets).unwrap();
+    let material = Material::new(1e5, 0.3, 1000.0).unwrap();
+    let (nodes, count) = (grid.nodes.len(), blocks(grid.tets.len()));
+    let mut header = Header::EMPTY;
+    let (mut x, mut masses) = (vec![[0.0; 3]; nodes], vec![0.0; nodes]);
+    let (mut tets, mut stiffness) = (vec![TetBlock::ZERO; count], vec![(); count]);
+    let mut out: RestMut<'_, Factored> = RestMut {
+        nodes: &mut x,
+        masses: &mut masses,
+        blocks: &mut tets,
+        stiffness: &mut stiffness,
+        header: &mut header,
+    };
+    out.fill(&mesh, &material).unwrap();
+    out.masses = &mut [];
+    assert!(matches!(
+        out.fill(&mesh, &material),
+        Err(MeshError::TooManyNodes { capacity: 0, .. })
+    ));
+    let rest = Rest::<Factored> {
+        nodes: &x,
+        masses: &masses,
+        blocks: &tets,
+        stiffness: &stiffness,
+        header,
+    };
+
+    let settings = Settings::new(0.01).unwrap();
+    let scene = Scene {
+        gravity: Vec3::new(0.0, -9.81, 0.0),
+        pins: &[Pin::held(0)],
+        ..Scene::default()
+    };
+    let mut body: OwnedBody = OwnedBody::new(&mesh, &material, settings.start).unwrap();
+    let mut state = OwnedState::new(&rest, settings.start);
+    let vectors = settings.start.vectors();
+    let mut rotated = vec![Factored::ZERO_ROTATED; count];
+    let mut numbers = vec![0.0; workspace_numbers(nodes, vectors)];
+    assert_eq!(
+        size_of_val(&*rotated) + size_of_val(&*numbers),
+        workspace_bytes::<Factored>(nodes, count, vectors)
+    );
+    for _ in 0..20 {
+        assert!(body.step(&scene, &settings).advanced());
+        let mut work = WorkspaceMut::over(&rest, vectors, &mut rotated, &mut numbers);
+        let report =
+            step::<Native, Factored>(&rest, &mut state.view_mut(), &mut work, &scene, &settings);
+        assert!(report.advanced());
+        assert_eq!(&state, body.state());
+    }
+    // A number too little, and the step is refused.
+    let short = numbers.len() - 1;
+    let mut work = WorkspaceMut::over(&rest, vectors, &mut rotated, &mut numbers[..short]);
+    let report =
+        step::<Native, Factored>(&rest, &mut state.view_mut(), &mut work, &scene, &settings);
+    assert_eq!(report.refusal, Some(Refusal::Vectors));
 }
