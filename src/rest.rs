@@ -9,6 +9,7 @@ use crate::lane::{BLOCK, blocks};
 use crate::material::Material;
 use crate::math::power_of_two_below;
 use crate::mesh::{Mesh, MeshError, Shape, shape};
+use crate::vector::copy;
 
 /// Eight tetrahedra at rest, component by component. The last block of a mesh is padded with
 /// tetrahedra that have no stiffness and sit at node 0.
@@ -181,7 +182,7 @@ pub(crate) fn to_f32(x: f64) -> f32 {
 pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut RestMut<'_, L>) {
     let (lambda, mu) = material.lame();
     let density = f64::from(material.density());
-    out.nodes.copy_from_slice(mesh.nodes());
+    copy(out.nodes, mesh.nodes());
     out.masses.fill(0.0);
     let (mut total_mass, mut total_volume) = (0.0, 0.0);
     let chunks = mesh.tets().chunks(BLOCK);
@@ -190,7 +191,7 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
         .zip(out.stiffness.iter_mut())
     {
         *block = TetBlock::ZERO;
-        for (lane, corners) in chunk.iter().enumerate() {
+        for (lane, corners) in (0..BLOCK).zip(chunk) {
             let Some(shape) = shape(mesh.nodes(), corners) else {
                 continue;
             };

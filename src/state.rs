@@ -6,6 +6,7 @@ use crate::lane::{BLOCK, Native};
 use crate::mesh::MeshError;
 use crate::operator::{Fit, RotationBlock, fit_rotations};
 use crate::rest::Rest;
+use crate::vector::copy;
 
 /// A body's state, borrowed for reading.
 #[derive(Clone, Copy, Debug)]
@@ -91,8 +92,8 @@ impl StateMut<'_> {
         {
             return Err(StateError::NonFinite { node });
         }
-        self.x.copy_from_slice(x);
-        self.v.copy_from_slice(v);
+        copy(self.x, x);
+        copy(self.v, v);
         self.history.fill([0.0; 3]);
         fit_rotations::<Native, L>(rest, self.x, Fit::Cold, self.rotations);
         Ok(())
@@ -153,7 +154,7 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
         }
         (self.nodes, self.blocks) = (nodes, blocks);
         let state = self.view_mut();
-        state.x.copy_from_slice(rest.nodes);
+        copy(state.x, rest.nodes);
         state.v.fill([0.0; 3]);
         state.history.fill([0.0; 3]);
         fit_rotations::<Native, L>(rest, state.x, Fit::Cold, state.rotations);
