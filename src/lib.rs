@@ -105,6 +105,7 @@ mod cg;
 pub mod choosing {}
 pub mod collider;
 pub mod constraint;
+pub mod cost;
 pub mod element;
 pub mod energy;
 mod fan;

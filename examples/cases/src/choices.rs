@@ -38,6 +38,12 @@ pub const STARTS: [(&str, Start); 6] = [
     ("rigid-2", Start::Rigid(2)),
 ];
 
+/// Kinds between those, which the cost table is only compared with.
+pub const MORE_STARTS: [(&str, Start); 2] = [
+    ("galerkin-2", Start::Galerkin(2)),
+    ("rigid-1", Start::Rigid(1)),
+];
+
 /// Capacity for the history of any of [`STARTS`].
 pub const HISTORY: usize = CAPACITIES[0];
 /// Capacity for the vectors of any of [`STARTS`].

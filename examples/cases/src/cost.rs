@@ -12,12 +12,12 @@ use femto::{
     StepReport, blocks,
 };
 
-use crate::choices::{Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
+use crate::choices::{Choice, HISTORY, JACOBI, MORE_STARTS, PRECONDITIONERS, STARTS, VECTORS};
 use crate::factor::FactorRoom;
 use crate::mesh::Grid;
 use crate::states::{REFUSED, STATES, State};
 
-static SMALLEST: Grid<12, 12> = Grid::new([2, 1, 1]);
+static SMALL: Grid<27, 48> = Grid::new([2, 2, 2]);
 static FLAT: Grid<48, 90> = Grid::new([5, 3, 1]);
 static LONG: Grid<90, 216> = Grid::new([9, 2, 2]);
 static THICK: Grid<180, 600> = Grid::new([5, 5, 4]);
@@ -53,7 +53,7 @@ type Rest = (&'static [[f32; 3]], &'static [[u32; 4]]);
 
 /// The meshes that the cost table is fitted to.
 const FITTED: [Rest; 4] = [
-    (&SMALLEST.nodes, &SMALLEST.tets),
+    (&SMALL.nodes, &SMALL.tets),
     (&FLAT.nodes, &FLAT.tets),
     (&LONG.nodes, &LONG.tets),
     (&THICK.nodes, &THICK.tets),
@@ -161,7 +161,7 @@ pub fn measure(
     for mesh in OTHERS {
         fill(room, mesh)?;
         for (k, preconditioner) in PRECONDITIONERS.into_iter().enumerate() {
-            for (j, start) in STARTS.into_iter().enumerate() {
+            for (j, start) in STARTS.into_iter().chain(MORE_STARTS).enumerate() {
                 let mixed = Case {
                     preconditioner,
                     start,

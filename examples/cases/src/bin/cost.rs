@@ -1,0 +1,43 @@
+//! Steps to be counted by the plugin under qemu-user: `cost prove` or `cost measure`; see [`femto_cases::cost`].
+
+use std::fmt::Arguments;
+use std::hint::black_box;
+use std::io::Write;
+use std::process::ExitCode;
+
+use femto_cases::cost::{Counter, Room, measure, prove};
+
+#[expect(unsafe_code, reason = "the plugin finds the function by its name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+fn count_begin() {
+    black_box(0);
+}
+
+#[expect(unsafe_code, reason = "as above")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+fn count_end() {
+    black_box(1);
+}
+
+fn main() -> ExitCode {
+    static ROOM: std::sync::Mutex<Room> = std::sync::Mutex::new(Room::new());
+    let mut room = ROOM.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut counter = Counter {
+        say: |what: Arguments<'_>| {
+            print!("{what}");
+            // The plugin writes past this program's buffer.
+            _ = std::io::stdout().flush();
+        },
+        begin: count_begin,
+        end: count_end,
+        early_exit: cfg!(feature = "early-exit"),
+    };
+    let outcome = match std::env::args().nth(1).as_deref() {
+        Some("prove") => prove(&mut room, &mut counter),
+        Some("measure") => measure(&mut room, &mut counter),
+        _ => return ExitCode::from(2),
+    };
+    ExitCode::from(u8::from(outcome.is_err()))
+}

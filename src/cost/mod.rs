@@ -1,0 +1,322 @@
+//! What a step costs, before it is taken: a formula in the sizes of the mesh, the parts of the scene and the budget.
+//!
+//! ```text
+//! instructions = Σ_rows factor · (c₁ + c_n nodes + c_b blocks + c_e entries of the factor)
+//! ```
+//!
+//! The factors are products of what the settings say ([`terms`]): 1 for the step itself, k for its iterations, k·w for
+//! iterations with w stored vectors, and so on. The coefficients of a [`Machine`] were fitted to counts of an
+//! emulator (`.ci/run cost` makes them anew, and says how far the formula is off on meshes that it was not
+//! fitted to: less than 1 %). They hold for the compiler and the profile that stand in the README, with lanes of the
+//! target's width and rest data in the factored layout.
+//!
+//! ```
+//! use femto::cost::{Load, Machine};
+//! use femto::{Budget, Start};
+//!
+//! let cube = Load::new(64, 162);
+//! let limit = 500_000;
+//! let budget = Budget::fit(limit, &cube, Machine::CortexM4F).ok_or("a step does not fit")?;
+//! assert!(budget.cost(&cube, Machine::CortexM4F) <= limit);
+//! # Ok::<(), &str>(())
+//! ```
+
+mod table;
+
+use crate::element::Layout;
+use crate::lane::blocks;
+use crate::preconditioner::Preconditioner;
+use crate::preconditioner::factor::Entries;
+use crate::rest::Rest;
+use crate::scene::Scene;
+use crate::settings::{Budget, Settings, Start};
+
+/// Whose instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Machine {
+    /// thumbv7em-none-eabihf, one lane.
+    CortexM4F,
+    /// x86-64 with SSE2, four lanes.
+    X86_64,
+    /// AArch64 with NEON, four lanes.
+    Aarch64,
+}
+
+impl Machine {
+    /// All, by name.
+    pub const ALL: [(&str, Self); 3] = [
+        ("cortex-m4f", Self::CortexM4F),
+        ("x86-64", Self::X86_64),
+        ("aarch64", Self::Aarch64),
+    ];
+
+    fn table(self) -> &'static Table {
+        match self {
+            Self::CortexM4F => &table::CORTEX_M4F,
+            Self::X86_64 => &table::X86_64,
+            Self::Aarch64 => &table::AARCH64,
+        }
+    }
+}
+
+/// Sixteenths of an instruction, by row ([`ROWS`]): once, a node, a block of tetrahedra, an entry of the factor.
+type Table = [[i32; 4]; ROWS.len()];
+
+/// A preconditioner without its data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// [`Preconditioner::Identity`]
+    Identity,
+    /// [`Preconditioner::Mass`]
+    Mass,
+    /// [`Preconditioner::Jacobi`]
+    Jacobi,
+    /// [`Preconditioner::BlockJacobi`]
+    BlockJacobi,
+    /// [`Entries::Warped`]
+    Warped,
+    /// [`Entries::WarpedHalf`]
+    WarpedHalf,
+    /// [`Entries::Laplacian`]
+    Laplacian,
+    /// [`Entries::LaplacianHalf`]
+    LaplacianHalf,
+}
+
+impl Kind {
+    /// All, by name, in the order of their rows.
+    pub const ALL: [(&str, Self); 8] = [
+        ("identity", Self::Identity),
+        ("mass", Self::Mass),
+        ("jacobi", Self::Jacobi),
+        ("block-jacobi", Self::BlockJacobi),
+        ("warped", Self::Warped),
+        ("warped-half", Self::WarpedHalf),
+        ("laplacian", Self::Laplacian),
+        ("laplacian-half", Self::LaplacianHalf),
+    ];
+}
+
+impl From<Preconditioner<'_>> for Kind {
+    fn from(preconditioner: Preconditioner<'_>) -> Self {
+        match preconditioner {
+            Preconditioner::Identity => Self::Identity,
+            Preconditioner::Mass => Self::Mass,
+            Preconditioner::Jacobi => Self::Jacobi,
+            Preconditioner::BlockJacobi => Self::BlockJacobi,
+            Preconditioner::Factored(factor) => match factor.entries() {
+                Entries::Warped { .. } => Self::Warped,
+                Entries::WarpedHalf { .. } => Self::WarpedHalf,
+                Entries::Laplacian { .. } => Self::Laplacian,
+                Entries::LaplacianHalf { .. } => Self::LaplacianHalf,
+            },
+        }
+    }
+}
+
+/// All that a step's cost depends on, but for the budget.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Load {
+    /// Nodes of the mesh.
+    pub nodes: usize,
+    /// Tetrahedra of the mesh.
+    pub tets: usize,
+    /// Start of the solver.
+    pub start: Start,
+    /// Preconditioner of the solver.
+    pub preconditioner: Kind,
+    /// Entries of its factor, or 0.
+    pub entries: usize,
+    /// Pins of the scene.
+    pub pins: usize,
+    /// Colliders of the scene.
+    pub colliders: usize,
+    /// Whether a pin or collider has a velocity.
+    pub moving: bool,
+    /// Whether the scene has a list of forces.
+    pub forces: bool,
+    /// Whether θ < 1.
+    pub newmark: bool,
+}
+
+impl Load {
+    /// A free body of so many nodes and tetrahedra, with the settings' defaults.
+    #[must_use]
+    pub const fn new(nodes: usize, tets: usize) -> Self {
+        Self {
+            nodes,
+            tets,
+            start: Start::Galerkin(1),
+            preconditioner: Kind::Jacobi,
+            entries: 0,
+            pins: 0,
+            colliders: 0,
+            moving: false,
+            forces: false,
+            newmark: false,
+        }
+    }
+
+    /// That of a step.
+    #[must_use]
+    pub fn of<L: Layout>(rest: &Rest<'_, L>, scene: &Scene<'_>, settings: &Settings<'_>) -> Self {
+        let entries = match settings.preconditioner {
+            Preconditioner::Factored(factor) => factor.rows().len(),
+            _ => 0,
+        };
+        Self {
+            start: settings.start,
+            preconditioner: settings.preconditioner.into(),
+            entries,
+            pins: scene.pins.len(),
+            colliders: scene.colliders.len(),
+            moving: scene.moves(),
+            forces: !scene.forces.is_empty(),
+            newmark: settings.theta() < 1.0,
+            ..Self::new(rest.nodes.len(), rest.header.tets as usize)
+        }
+    }
+
+    /// What the coefficients of a row are multiplied with.
+    #[must_use]
+    pub fn sizes(&self) -> [u64; 4] {
+        [1, self.nodes, blocks(self.tets), self.entries].map(|size| size as u64)
+    }
+}
+
+/// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
+/// preparation without and with colliders, and its iteration; and which of the four sizes a row depends on.
+pub const ROWS: [(&str, [bool; 4]); 43] = [
+    ("any sweeps", BLOCKS),
+    ("a sweep", BLOCKS),
+    ("a stored vector", ALL),
+    ("a pair of them", NODES),
+    ("a vector and iteration", NODES),
+    ("translations", NODES),
+    ("translations, a vector", NODES),
+    ("translations, an iteration", NODES),
+    ("colliders, a vector", NODES),
+    ("a collider", NODES),
+    ("a pin", ONCE),
+    ("pins or colliders that move", ALL),
+    ("newmark", ALL),
+    ("forces", NODES),
+    ("start from velocity", ALL),
+    ("start from velocity and force", ALL),
+    ("a past velocity", NODES),
+    ("rotations", NODES),
+    ("held by pins", NODES),
+    ("identity: step", ALL),
+    ("identity: step with colliders", ALL),
+    ("identity: iteration", ALL),
+    ("mass: step", ALL),
+    ("mass: step with colliders", ALL),
+    ("mass: iteration", ALL),
+    ("jacobi: step", ALL),
+    ("jacobi: step with colliders", ALL),
+    ("jacobi: iteration", ALL),
+    ("block-jacobi: step", ALL),
+    ("block-jacobi: step with colliders", ALL),
+    ("block-jacobi: iteration", ALL),
+    ("warped: step", ALL),
+    ("warped: step with colliders", ALL),
+    ("warped: iteration", FACTOR),
+    ("warped-half: step", ALL),
+    ("warped-half: step with colliders", ALL),
+    ("warped-half: iteration", FACTOR),
+    ("laplacian: step", ALL),
+    ("laplacian: step with colliders", ALL),
+    ("laplacian: iteration", FACTOR),
+    ("laplacian-half: step", ALL),
+    ("laplacian-half: step with colliders", ALL),
+    ("laplacian-half: iteration", FACTOR),
+];
+
+const ONCE: [bool; 4] = [true, false, false, false];
+const NODES: [bool; 4] = [true, true, false, false];
+const BLOCKS: [bool; 4] = [true, false, true, false];
+const ALL: [bool; 4] = [true, true, true, false];
+const FACTOR: [bool; 4] = [true; 4];
+
+/// The row where those of the preconditioners begin, and how many each has.
+const OWN: (usize, usize) = (19, 3);
+
+/// How often a step pays each of [`ROWS`].
+#[must_use]
+pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
+    let (k, w) = (u64::from(budget.iterations), load.start.vectors() as u64);
+    let free = u64::from(load.start.is_augmented() && load.pins == 0);
+    let touching = u64::from(load.colliders > 0);
+    let is = |start| u64::from(load.start == start);
+    let common = [
+        u64::from(budget.polar_sweeps > 0),
+        u64::from(budget.polar_sweeps),
+        w,
+        w * w.saturating_sub(1) / 2,
+        w * k,
+        free,
+        free * w,
+        free * k,
+        touching * w,
+        load.colliders as u64,
+        load.pins as u64,
+        u64::from(load.moving) * (1 - is(Start::Velocity)) * (1 - is(Start::VelocityForce)),
+        u64::from(load.newmark),
+        u64::from(load.forces),
+        is(Start::Velocity),
+        is(Start::VelocityForce),
+        load.start.history() as u64,
+        u64::from(matches!(load.start, Start::Rigid(_))),
+        u64::from(load.pins > 0),
+    ];
+    let own = [1 - touching, touching, k];
+    let at = OWN.0 + OWN.1 * load.preconditioner as usize;
+    core::array::from_fn(|row| {
+        let of_kind = row.checked_sub(at).and_then(|row| own.get(row));
+        *common.get(row).or(of_kind).unwrap_or(&0)
+    })
+}
+
+impl Budget {
+    /// Instructions of one step.
+    #[must_use]
+    pub fn cost(self, load: &Load, machine: Machine) -> u64 {
+        let sizes = load.sizes();
+        let mut sixteenths = 0_i64;
+        for (factor, coefficients) in terms(load, self).into_iter().zip(machine.table()) {
+            for (size, coefficient) in sizes.into_iter().zip(coefficients) {
+                let often = i64::try_from(factor.saturating_mul(size)).unwrap_or(i64::MAX);
+                let part = often.saturating_mul(i64::from(*coefficient));
+                sixteenths = sixteenths.saturating_add(part);
+            }
+        }
+        u64::try_from(sixteenths / 16).unwrap_or(0)
+    }
+
+    /// The largest budget whose step takes at most `limit` instructions: two sweeps, or one where two leave no
+    /// iteration, and then all the iterations that fit. `None` where one sweep and one iteration do not.
+    #[must_use]
+    pub fn fit(limit: u64, load: &Load, machine: Machine) -> Option<Self> {
+        let with = |iterations, polar_sweeps| Self {
+            iterations,
+            polar_sweeps,
+        };
+        [2, 1].into_iter().find_map(|sweeps| {
+            let (none, one) = (
+                with(0, sweeps).cost(load, machine),
+                with(1, sweeps).cost(load, machine),
+            );
+            let left = limit.checked_sub(none)?;
+            let iterations = left.checked_div(one.saturating_sub(none)).unwrap_or(0);
+            let iterations = u32::try_from(iterations).unwrap_or(u32::MAX);
+            // Costs are rounded down: the last iteration may not fit.
+            let last = u32::from(with(iterations, sweeps).cost(load, machine) > limit);
+            let iterations = iterations.saturating_sub(last);
+            (iterations > 0).then_some(with(iterations, sweeps))
+        })
+    }
+}
+
+// Names, kinds and rows are in one order.
+const _: () = assert!(OWN.0 + OWN.1 * Kind::ALL.len() == ROWS.len());
