@@ -38,7 +38,7 @@ pub const STARTS: [(&str, Start); 6] = [
     ("rigid-2", Start::Rigid(2)),
 ];
 
-/// Kinds between those, which the cost table is only compared with.
+/// Those between, which the cost table needs to tell its terms apart.
 pub const MORE_STARTS: [(&str, Start); 2] = [
     ("galerkin-2", Start::Galerkin(2)),
     ("rigid-1", Start::Rigid(1)),

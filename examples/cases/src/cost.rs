@@ -196,7 +196,7 @@ fn design() -> impl Iterator<Item = Case> {
             ..PLAIN
         })
     });
-    let by_start = STARTS.into_iter().flat_map(|start| {
+    let by_start = STARTS.into_iter().chain(MORE_STARTS).flat_map(|start| {
         [(0, 0, 0), (6, 0, 0), (0, 1, 0), (6, 1, 1), (3, 3, 2)].map(
             |(iterations, pins, colliders)| Case {
                 start,
