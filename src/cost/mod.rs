@@ -282,38 +282,41 @@ impl Budget {
     /// Instructions of one step.
     #[must_use]
     pub fn cost(self, load: &Load, machine: Machine) -> u64 {
+        u64::try_from(self.sixteenths(load, machine) / 16).unwrap_or(0)
+    }
+
+    fn sixteenths(self, load: &Load, machine: Machine) -> i64 {
         let sizes = load.sizes();
-        let mut sixteenths = 0_i64;
+        let mut sum = 0_i64;
         for (factor, coefficients) in terms(load, self).into_iter().zip(machine.table()) {
             for (size, coefficient) in sizes.into_iter().zip(coefficients) {
                 let often = i64::try_from(factor.saturating_mul(size)).unwrap_or(i64::MAX);
-                let part = often.saturating_mul(i64::from(*coefficient));
-                sixteenths = sixteenths.saturating_add(part);
+                sum = sum.saturating_add(often.saturating_mul(i64::from(*coefficient)));
             }
         }
-        u64::try_from(sixteenths / 16).unwrap_or(0)
+        sum
     }
 
     /// The largest budget whose step takes at most `limit` instructions: two sweeps, or one where two leave no
     /// iteration, and then all the iterations that fit. `None` where one sweep and one iteration do not.
     #[must_use]
     pub fn fit(limit: u64, load: &Load, machine: Machine) -> Option<Self> {
-        let with = |iterations, polar_sweeps| Self {
-            iterations,
-            polar_sweeps,
-        };
-        [2, 1].into_iter().find_map(|sweeps| {
-            let (none, one) = (
-                with(0, sweeps).cost(load, machine),
-                with(1, sweeps).cost(load, machine),
-            );
-            let left = limit.checked_sub(none)?;
-            let iterations = left.checked_div(one.saturating_sub(none)).unwrap_or(0);
-            let iterations = u32::try_from(iterations).unwrap_or(u32::MAX);
-            // Costs are rounded down: the last iteration may not fit.
-            let last = u32::from(with(iterations, sweeps).cost(load, machine) > limit);
-            let iterations = iterations.saturating_sub(last);
-            (iterations > 0).then_some(with(iterations, sweeps))
+        let limit = i64::try_from(limit).unwrap_or(i64::MAX).saturating_mul(16);
+        [2, 1].into_iter().find_map(|polar_sweeps| {
+            let [none, one] = [0, 1].map(|iterations| {
+                let budget = Self {
+                    iterations,
+                    polar_sweeps,
+                };
+                budget.sixteenths(load, machine)
+            });
+            let iterations = limit
+                .checked_sub(none)?
+                .checked_div(one.checked_sub(none)?)?;
+            (iterations > 0).then(|| Self {
+                iterations: u32::try_from(iterations).unwrap_or(u32::MAX),
+                polar_sweeps,
+            })
         })
     }
 }
