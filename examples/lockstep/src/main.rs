@@ -30,7 +30,7 @@ type Input = Option<u8>;
 fn inputs(step: usize) -> [Input; 2] {
     let choice = |period: usize, seed: usize| {
         let turn = (step / period + seed).wrapping_mul(2_654_435_761) >> 7;
-        (turn % 3 != 0).then_some((turn % 8) as u8)
+        (!turn.is_multiple_of(3)).then_some((turn % 8) as u8)
     };
     [choice(5, 1), choice(23, 7)]
 }
@@ -176,10 +176,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         }
     }
     println!("{STEPS} steps, inputs {DELAY} steps late: equal to the bit after every step");
-    println!(
-        "{replays} replays of {} steps without news: equal to the bit",
-        DELAY - 1
-    );
+    println!("{replays} replays of {DELAY} steps without news: equal to the bit");
     println!(
         "{} rollbacks, {:.2} times the time of a machine that hears at once",
         late.rollbacks,

@@ -1,6 +1,6 @@
 //! Runs the scenes of every kind for 1,000 steps and compares their hashes with `golden.txt`.
 //!
-//! `bits` checks; `bits --bless`, run in this package's folder or by `cargo run`, writes the file anew.
+//! `bits [STEPS]` checks, all scenes to so many steps if not to 1,000; `bits --bless` writes the file anew.
 
 use std::fmt::Write;
 use std::process::ExitCode;
@@ -12,9 +12,13 @@ fn main() -> ExitCode {
     if std::env::args().any(|argument| argument == "--bless") {
         return bless(&mut bodies);
     }
+    let steps = std::env::args()
+        .nth(1)
+        .and_then(|steps| steps.parse().ok())
+        .unwrap_or(STEPS);
     let wrong = check(
         &mut bodies,
-        |_| STEPS,
+        |_| steps,
         |case, step, hash, right| {
             let [kind, name] = case.name;
             let verdict = if right { "" } else { " WRONG" };
@@ -22,7 +26,7 @@ fn main() -> ExitCode {
         },
     );
     println!(
-        "{wrong} hashes differ, {} lanes",
+        "{wrong} hashes differ, all scenes to {steps} steps, {} lanes",
         <femto::lane::Native as femto::lane::Lanes>::WIDTH
     );
     ExitCode::from(u8::from(wrong > 0))
