@@ -49,93 +49,93 @@ pub(super) const CORTEX_M4F: Table = [
 ];
 
 pub(super) const X86_64: Table = [
-    [-322, 0, 3967, 0],        // any sweeps
-    [83, 0, 9360, 0],          // a sweep
-    [15764, 2354, 19480, 0],   // a stored vector
-    [2113, 294, 0, 0],         // a pair of them
-    [1071, 145, 0, 0],         // a vector and iteration
-    [3936, 1723, 0, 0],        // translations
-    [2021, 652, 0, 0],         // translations, a vector
-    [1131, 268, 0, 0],         // translations, an iteration
-    [1969, 226, 0, 0],         // colliders, a vector
-    [518, 10267, 0, 0],        // a collider
-    [1592, 0, 0, 0],           // a pin
-    [7478, 676, 19415, 0],     // pins or colliders that move
-    [7267, 797, 19461, 0],     // newmark
-    [1648, 338, 0, 0],         // forces
-    [7478, 1178, 19432, 0],    // start from velocity
-    [7676, 1193, 19442, 0],    // start from velocity and force
-    [-1524, -94, 0, 0],        // a past velocity
-    [-4967, -121, 0, 0],       // rotations
-    [-700, -3, 0, 0],          // held by pins
-    [37831, 6154, 46411, 0],   // identity: step
-    [47142, 6872, 88803, 0],   // identity: step with colliders
-    [9687, 952, 19449, 0],     // identity: iteration
-    [37812, 6250, 46411, 0],   // mass: step
-    [47124, 6968, 88803, 0],   // mass: step with colliders
-    [9686, 953, 19449, 0],     // mass: iteration
-    [38407, 7582, 57601, 0],   // jacobi: step
-    [46550, 8098, 88636, 0],   // jacobi: step with colliders
-    [9683, 953, 19449, 0],     // jacobi: iteration
-    [38704, 9142, 69524, 0],   // block-jacobi: step
-    [47075, 9741, 88790, 0],   // block-jacobi: step with colliders
-    [9675, 953, 19447, 0],     // block-jacobi: iteration
-    [38033, 8662, 66921, 0],   // warped: step
-    [47497, 9369, 109341, 0],  // warped: step with colliders
-    [19519, 879, 8891, 2603],  // warped: iteration
-    [38030, 8662, 66921, 0],   // warped-half: step
-    [47504, 9369, 109341, 0],  // warped-half: step with colliders
-    [19716, 907, 8877, 4237],  // warped-half: iteration
-    [36537, 4784, 46354, 0],   // laplacian: step
-    [45989, 5492, 88771, 0],   // laplacian: step with colliders
-    [15210, 719, 11438, 1708], // laplacian: iteration
-    [36536, 4784, 46354, 0],   // laplacian-half: step
-    [45991, 5492, 88771, 0],   // laplacian-half: step with colliders
-    [15309, 699, 11392, 1971], // laplacian-half: iteration
+    [-291, 0, 9795, 0],         // any sweeps
+    [74, 0, 9231, 0],           // a sweep
+    [14737, 2622, 19399, 0],    // a stored vector
+    [2101, 399, 0, 0],          // a pair of them
+    [1057, 198, 0, 0],          // a vector and iteration
+    [3207, 1748, 0, 0],         // translations
+    [1534, 581, 0, 0],          // translations, a vector
+    [860, 233, 0, 0],           // translations, an iteration
+    [1934, 278, 0, 0],          // colliders, a vector
+    [527, 10283, 0, 0],         // a collider
+    [872, 0, 0, 0],             // a pin
+    [6526, 691, 19321, 0],      // pins or colliders that move
+    [6334, 839, 19332, 0],      // newmark
+    [772, 339, 0, 0],           // forces
+    [6802, 1192, 19338, 0],     // start from velocity
+    [6756, 1201, 19354, 0],     // start from velocity and force
+    [-1967, -92, 0, 0],         // a past velocity
+    [-4655, -111, 0, 0],        // rotations
+    [83, -2, 0, 0],             // held by pins
+    [37091, 5813, 34380, 0],    // identity: step
+    [46006, 6630, 73542, 0],    // identity: step with colliders
+    [8873, 1099, 19340, 0],     // identity: iteration
+    [37074, 5909, 34380, 0],    // mass: step
+    [45989, 6726, 73542, 0],    // mass: step with colliders
+    [8873, 1099, 19340, 0],     // mass: iteration
+    [37335, 7238, 45438, 0],    // jacobi: step
+    [45546, 7833, 73437, 0],    // jacobi: step with colliders
+    [8889, 1098, 19342, 0],     // jacobi: iteration
+    [37446, 8820, 54302, 0],    // block-jacobi: step
+    [45966, 9513, 73534, 0],    // block-jacobi: step with colliders
+    [8865, 1099, 19338, 0],     // block-jacobi: iteration
+    [29677, 8363, 50473, 0],    // warped: step
+    [38577, 9183, 89627, 0],    // warped: step with colliders
+    [19450, 532, 7453, 2813],   // warped: iteration
+    [29675, 8363, 50473, 0],    // warped-half: step
+    [38580, 9183, 89626, 0],    // warped-half: step with colliders
+    [19647, 544, 7440, 4415],   // warped-half: iteration
+    [35831, 4429, 34320, 0],    // laplacian: step
+    [44855, 5238, 73500, 0],    // laplacian: step with colliders
+    [13161, 1531, 13605, 1385], // laplacian: iteration
+    [35830, 4429, 34320, 0],    // laplacian-half: step
+    [44857, 5238, 73500, 0],    // laplacian-half: step with colliders
+    [13226, 1546, 13601, 1642], // laplacian-half: iteration
 ];
 
 pub(super) const AARCH64: Table = [
-    [-157, 0, 2600, 0],         // any sweeps
-    [45, 0, 5390, 0],           // a sweep
-    [14787, 1857, 15646, 0],    // a stored vector
-    [1604, 243, 0, 0],          // a pair of them
-    [802, 120, 0, 0],           // a vector and iteration
-    [4803, 1045, 0, 0],         // translations
-    [2382, 459, 0, 0],          // translations, a vector
-    [1265, 185, 0, 0],          // translations, an iteration
-    [1580, 188, 0, 0],          // colliders, a vector
-    [422, 7949, 0, 0],          // a collider
-    [1411, 0, 0, 0],            // a pin
-    [7900, 345, 15385, 0],      // pins or colliders that move
-    [9405, 322, 15730, 0],      // newmark
-    [2026, 147, 0, 0],          // forces
-    [9302, 582, 15483, 0],      // start from velocity
-    [9514, 582, 15498, 0],      // start from velocity and force
-    [-1129, -72, 0, 0],         // a past velocity
-    [-3768, 10, 0, 0],          // rotations
-    [-452, -2, 0, 0],           // held by pins
-    [36274, 4226, 35435, 0],    // identity: step
-    [45948, 4796, 69637, 0],    // identity: step with colliders
-    [11331, 521, 15574, 0],     // identity: iteration
-    [36272, 4258, 35435, 0],    // mass: step
-    [45947, 4828, 69637, 0],    // mass: step with colliders
-    [11331, 521, 15574, 0],     // mass: iteration
-    [37402, 5283, 44880, 0],    // jacobi: step
-    [43989, 5872, 69193, 0],    // jacobi: step with colliders
-    [11264, 527, 15559, 0],     // jacobi: iteration
-    [37434, 6714, 54349, 0],    // block-jacobi: step
-    [45864, 7172, 69617, 0],    // block-jacobi: step with colliders
-    [11314, 523, 15570, 0],     // block-jacobi: iteration
-    [37197, 6223, 53138, 0],    // warped: step
-    [47054, 6779, 87377, 0],    // warped: step with colliders
-    [23854, -1784, 1440, 2923], // warped: iteration
-    [37195, 6223, 53138, 0],    // warped-half: step
-    [47058, 6779, 87376, 0],    // warped-half: step with colliders
-    [24037, -1758, 1423, 4093], // warped-half: iteration
-    [36014, 2927, 35476, 0],    // laplacian: step
-    [45853, 3485, 69710, 0],    // laplacian: step with colliders
-    [20571, -1902, 3356, 2288], // laplacian: iteration
-    [36013, 2927, 35476, 0],    // laplacian-half: step
-    [45854, 3485, 69710, 0],    // laplacian-half: step with colliders
-    [20621, -1887, 3351, 2512], // laplacian-half: iteration
+    [-153, 0, 5641, 0],         // any sweeps
+    [39, 0, 5325, 0],           // a sweep
+    [13755, 2069, 15435, 0],    // a stored vector
+    [1517, 317, 0, 0],          // a pair of them
+    [744, 157, 0, 0],           // a vector and iteration
+    [4546, 1048, 0, 0],         // translations
+    [2357, 458, 0, 0],          // translations, a vector
+    [1206, 185, 0, 0],          // translations, an iteration
+    [1541, 224, 0, 0],          // colliders, a vector
+    [388, 7901, 0, 0],          // a collider
+    [981, 0, 0, 0],             // a pin
+    [7877, 335, 15269, 0],      // pins or colliders that move
+    [9672, 259, 15624, 0],      // newmark
+    [1360, 149, 0, 0],          // forces
+    [9214, 592, 15313, 0],      // start from velocity
+    [9165, 597, 15327, 0],      // start from velocity and force
+    [-1147, -70, 0, 0],         // a past velocity
+    [-3045, 15, 0, 0],          // rotations
+    [71, -2, 0, 0],             // held by pins
+    [36533, 4219, 25947, 0],    // identity: step
+    [45595, 4876, 58568, 0],    // identity: step with colliders
+    [11029, 518, 15430, 0],     // identity: iteration
+    [36516, 4251, 25947, 0],    // mass: step
+    [45578, 4908, 58567, 0],    // mass: step with colliders
+    [11029, 518, 15430, 0],     // mass: iteration
+    [37327, 5279, 35596, 0],    // jacobi: step
+    [43567, 5953, 58120, 0],    // jacobi: step with colliders
+    [10941, 526, 15410, 0],     // jacobi: iteration
+    [36988, 6707, 43424, 0],    // block-jacobi: step
+    [45533, 7251, 58549, 0],    // block-jacobi: step with colliders
+    [11011, 520, 15426, 0],     // block-jacobi: iteration
+    [38233, 6407, 39981, 0],    // warped: step
+    [47460, 7051, 72635, 0],    // warped: step with colliders
+    [23243, -1715, 1715, 2896], // warped: iteration
+    [38231, 6407, 39981, 0],    // warped-half: step
+    [47465, 7051, 72635, 0],    // warped-half: step with colliders
+    [23393, -1688, 1698, 4050], // warped-half: iteration
+    [36133, 2920, 25989, 0],    // laplacian: step
+    [45346, 3566, 58638, 0],    // laplacian: step with colliders
+    [19900, -1749, 3600, 2234], // laplacian: iteration
+    [36133, 2920, 25989, 0],    // laplacian-half: step
+    [45347, 3566, 58638, 0],    // laplacian-half: step with colliders
+    [19966, -1750, 3594, 2459], // laplacian-half: iteration
 ];
