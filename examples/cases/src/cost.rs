@@ -92,6 +92,8 @@ struct Case {
     moving: bool,
     forces: bool,
     theta: f32,
+    gravity: f32,
+    dt: f32,
 }
 
 const PLAIN: Case = Case {
@@ -106,6 +108,8 @@ const PLAIN: Case = Case {
     moving: false,
     forces: false,
     theta: 1.0,
+    gravity: -9.81,
+    dt: 1.0 / 60.0,
 };
 
 /// Steps of the 64-node cube in every state, for every preconditioner and start; free and touching two colliders,
@@ -121,12 +125,19 @@ pub fn prove(
     fill(room, cube)?;
     for preconditioner in PRECONDITIONERS {
         for start in STARTS {
-            for (world, pins, colliders) in [("touching", 0, 2), ("held", 1, 0)] {
+            // In a very short step without gravity the solver has soon nothing to do, and in a body at
+            // rest from the start: a solver that stops there is seen.
+            for (world, pins, colliders, gravity, dt) in [
+                ("touching", 0, 2, -9.81, 1.0 / 60.0),
+                ("held", 1, 0, 0.0, 1e-7),
+            ] {
                 let case = Case {
                     preconditioner,
                     start,
                     pins,
                     colliders,
+                    gravity,
+                    dt,
                     ..PLAIN
                 };
                 for state in STATES {
@@ -143,8 +154,8 @@ pub fn prove(
 }
 
 /// Steps of several meshes in enough different settings to fit the cost table (`fit`) and to compare it
-/// (`check`). A line is: fit or check, nodes, tetrahedra, entries of the factor, preconditioner, start, iterations, sweeps, pins,
-/// colliders, moving, forces, newmark, count.
+/// (`check`). A line is: fit or check, nodes, tetrahedra, entries of the factor, preconditioner, start, iterations,
+/// sweeps, pins, colliders, moving, forces, newmark, count.
 ///
 /// # Errors
 /// [`BadCase`].
@@ -171,6 +182,7 @@ pub fn measure(
                     moving: k == 2,
                     forces: j == 1,
                     theta: if (k + j) % 4 == 3 { 0.5 } else { 1.0 },
+                    ..PLAIN
                 };
                 line(room, mesh, &mixed, "check", counter)?;
             }
@@ -302,7 +314,7 @@ fn counted(
     let colliders = [ground.map_err(|_| BadCase)?, ball.map_err(|_| BadCase)?];
     let pins = [0, 1, 2].map(|node| Pin { node, velocity });
     let scene = Scene {
-        gravity: Vec3::new(0.0, -9.81, 0.0),
+        gravity: Vec3::new(0.0, case.gravity, 0.0),
         forces: if case.forces {
             &force[..nodes.len()]
         } else {
@@ -320,7 +332,7 @@ fn counted(
             Preconditioner::Factored(&factor)
         }
     };
-    let settings = Settings::new(1.0 / 60.0)
+    let settings = Settings::new(case.dt)
         .and_then(|s| s.with_theta(case.theta))
         .map_err(|_| BadCase)?
         .with_start(case.start.1)
