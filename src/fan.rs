@@ -27,9 +27,30 @@ pub(crate) type Nodes = [[u32; BLOCK]; 4];
 /// The blocks, eight fans at a time. None is empty.
 #[inline(always)]
 pub(crate) fn fans(blocks: &[TetBlock]) -> impl Iterator<Item = &[TetBlock]> {
-    blocks.chunk_by(|TetBlock { corners: a, .. }, TetBlock { corners: b, .. }| {
-        a[APEX] == b[APEX] && a[AXIS] == b[AXIS] && a[NEXT] == b[RING]
+    let mut left = blocks;
+    core::iter::from_fn(move || {
+        // No more than are left, but for none of none.
+        let (fan, others) = left.split_at_checked(length(left))?;
+        left = others;
+        Some(fan)
     })
+}
+
+/// Blocks of the first eight fans; 1 where there is none.
+#[inline(never)]
+fn length(blocks: &[TetBlock]) -> usize {
+    let pairs = blocks.iter().zip(blocks.iter().skip(1));
+    let goes_on = |(TetBlock { corners: a, .. }, TetBlock { corners: b, .. }): &(&_, &_)| {
+        same(&a[APEX], &b[APEX]) && same(&a[AXIS], &b[AXIS]) && same(&a[NEXT], &b[RING])
+    };
+    1 + pairs.take_while(goes_on).count()
+}
+
+/// `==` would call a routine that compares byte by byte on a Cortex-M.
+#[inline(always)]
+fn same(a: &[u32; BLOCK], b: &[u32; BLOCK]) -> bool {
+    let both = a.iter().zip(b);
+    both.fold(0, |different, (a, b)| different | (a ^ b)) == 0
 }
 
 /// The nodes at the end of some fans.
@@ -45,7 +66,8 @@ pub(crate) fn lanes<R: Lanes>() -> impl Iterator<Item = usize> {
     (0..BLOCK).step_by(R::WIDTH)
 }
 
-/// Reads node vectors along some fans side by side.
+/// Reads node vectors along some fans side by side. One lane keeps nothing, and reads all four of a tetrahedron: what
+/// eight fans share would be in memory, too, not in registers.
 #[derive(Clone, Copy)]
 pub(crate) struct Edges<R> {
     apex: [R; 3],
@@ -61,11 +83,15 @@ impl<R: Lanes> Edges<R> {
             .first()
             .map_or(&TetBlock::ZERO.corners, |tet| &tet.corners);
         R::bites(|at| {
-            let apex = R::gather(u, &nodes[APEX], at);
+            let [apex, axis, next] = if R::WIDTH == 1 {
+                [zero3(); 3]
+            } else {
+                [APEX, AXIS, RING].map(|corner| R::gather(u, &nodes[corner], at))
+            };
             Self {
                 apex,
-                axis: sub3(&R::gather(u, &nodes[AXIS], at), &apex),
-                next: sub3(&R::gather(u, &nodes[RING], at), &apex),
+                axis: sub3(&axis, &apex),
+                next: sub3(&next, &apex),
             }
         })
     }
@@ -73,6 +99,11 @@ impl<R: Lanes> Edges<R> {
     /// u_j − u_0 for j = 1, 2, 3 of the next tetrahedra.
     #[inline(always)]
     pub fn advance(&mut self, u: &[[f32; 3]], nodes: &Nodes, at: usize) -> [[R; 3]; 3] {
+        if R::WIDTH == 1 {
+            let apex = R::gather(u, &nodes[APEX], at);
+            let edge = |corner: usize| sub3(&R::gather(u, &nodes[corner], at), &apex);
+            return [edge(AXIS), edge(RING), edge(NEXT)];
+        }
         let ring = self.next;
         self.next = sub3(&R::gather(u, &nodes[NEXT], at), &self.apex);
         [self.axis, ring, self.next]
@@ -133,24 +164,45 @@ impl<R: Lanes> Sums<R> {
     /// At the end of the fans, whose last block has these nodes.
     #[inline(always)]
     pub fn close(sums: &R::Bites<Self>, out: &mut [[f32; 3]], nodes: &Nodes) {
-        let sums = sums.as_ref();
-        for (sum, at) in sums.iter().zip(lanes::<R>()) {
-            R::scatter_add(&sum.next, out, &nodes[NEXT], at);
-        }
-        for (sum, at) in sums.iter().zip(lanes::<R>()) {
-            R::scatter_add(&sum.axis, out, &nodes[AXIS], at);
-        }
-        for (sum, at) in sums.iter().zip(lanes::<R>()) {
-            R::scatter_add(&sum.apex, out, &nodes[APEX], at);
+        if R::WIDTH == 1 {
+            Self::scatter_lanes(sums.as_ref(), out, nodes, false);
+        } else {
+            Self::scatter(sums.as_ref(), out, nodes, false);
         }
     }
 
     /// The same after [`Self::add_balanced`]: all that a fan adds sums to zero.
     #[inline(always)]
-    pub fn close_balanced(sums: &mut R::Bites<Self>, out: &mut [[f32; 3]], nodes: &Nodes) {
-        for sum in sums.as_mut() {
-            sum.apex = sub3(&sub3(&sum.apex, &sum.next), &sum.axis);
+    pub fn close_balanced(sums: &R::Bites<Self>, out: &mut [[f32; 3]], nodes: &Nodes) {
+        if R::WIDTH == 1 {
+            Self::scatter_lanes(sums.as_ref(), out, nodes, true);
+        } else {
+            Self::scatter(sums.as_ref(), out, nodes, true);
         }
-        Self::close(sums, out, nodes);
+    }
+
+    /// [`Self::scatter`] once in the binary: a lane's sums are in memory anyway. Eight copies of each loop would be
+    /// 2 KB of flash, so the compiler is not to know that there are eight.
+    #[inline(never)]
+    fn scatter_lanes(sums: &[Self], out: &mut [[f32; 3]], nodes: &Nodes, balanced: bool) {
+        Self::scatter(core::hint::black_box(sums), out, nodes, balanced);
+    }
+
+    #[inline(always)]
+    fn scatter(sums: &[Self], out: &mut [[f32; 3]], nodes: &Nodes, balanced: bool) {
+        for (bite, sum) in sums.iter().enumerate() {
+            R::scatter_add(&sum.next, out, &nodes[NEXT], bite * R::WIDTH);
+        }
+        for (bite, sum) in sums.iter().enumerate() {
+            R::scatter_add(&sum.axis, out, &nodes[AXIS], bite * R::WIDTH);
+        }
+        for (bite, sum) in sums.iter().enumerate() {
+            let apex = if balanced {
+                sub3(&sub3(&sum.apex, &sum.next), &sum.axis)
+            } else {
+                sum.apex
+            };
+            R::scatter_add(&apex, out, &nodes[APEX], bite * R::WIDTH);
+        }
     }
 }

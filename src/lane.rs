@@ -128,7 +128,8 @@ impl Real for f64 {
 // binary, and is as fast as indexing.
 #[inline(always)]
 fn node(vectors: &[[f32; 3]], index: u32) -> [f32; 3] {
-    vectors.get(index as usize).copied().unwrap_or([0.0; 3])
+    // A choice of two places to read from: zeros made ready before every check would cost more.
+    *vectors.get(index as usize).unwrap_or(&[0.0; 3])
 }
 
 impl Lanes for f32 {

@@ -78,7 +78,7 @@ impl<L: Layout> Operator<'_, L> {
                     sums.add_balanced(&f, out, &tet.corners, at);
                 }
             }
-            Sums::<R>::close_balanced(&mut sums, out, last(fan));
+            Sums::<R>::close_balanced(&sums, out, last(fan));
         }
     }
 
@@ -171,7 +171,7 @@ pub fn rotate<R: Lanes, L: Layout>(
                 sums.add_balanced(&f, out, &tet.corners, at);
             }
         }
-        Sums::<R>::close_balanced(&mut sums, out, last(fan));
+        Sums::<R>::close_balanced(&sums, out, last(fan));
     }
 }
 

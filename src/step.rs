@@ -80,7 +80,7 @@ impl Units {
 
 /// The system as the solver sees it.
 struct Filtered<'a, L: Layout, R> {
-    operator: Operator<'a, L>,
+    operator: &'a Operator<'a, L>,
     preconditioner: Prepared<'a>,
     lanes: core::marker::PhantomData<R>,
 }
@@ -104,6 +104,7 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
 
 impl<L: Layout, R: Lanes> Filtered<'_, L, R> {
     /// [`System::size`] of any residual; `z` is scratch.
+    #[inline(always)]
     fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
         if self.preconditioner.is_cheap() {
             self.precondition(r, z);
@@ -193,7 +194,7 @@ pub fn step<R: Lanes, L: Layout>(
         stiffness,
     };
     let system = Filtered::<L, R> {
-        operator,
+        operator: &operator,
         preconditioner: settings.preconditioner.prepare::<R, L>(
             &operator,
             state.x,
@@ -462,7 +463,9 @@ fn advance<L: Layout>(
     }
     let mut first = None;
     for (node, (x, v)) in (0_u32..).zip(work.p.iter().zip(&*work.v)) {
-        let finite = x.iter().chain(v).all(|c| c.is_finite());
+        // c − c is 0 where c is finite, else NaN.
+        let [x, v] = [x, v].map(|c| (c[0] - c[0]) + (c[1] - c[1]) + (c[2] - c[2]));
+        let finite = x + v == 0.0;
         if !finite && first.is_none() {
             first = Some(node);
         }

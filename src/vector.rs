@@ -5,7 +5,8 @@
 
 use crate::element::Sym3;
 
-const SUMS: usize = 8;
+/// Running sums of a dot product.
+pub(crate) const SUMS: usize = 8;
 
 #[inline]
 fn fold(s: [f32; SUMS]) -> f32 {

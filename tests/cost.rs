@@ -1,7 +1,9 @@
 //! The cost formula as a whole; that its coefficients are right is shown by counts (`examples/firmware/fit check`).
 
-use femto::cost::{Kind, Load, Machine, ROWS, terms};
+use femto::cost::{Coarse, Kind, Load, Machine, ROWS, terms};
 use femto::glam::Vec3;
+use femto::order::fans;
+use femto::preconditioner::Aggregates;
 use femto::{
     Budget, Collider, Material, Mesh, OwnedBody, Pin, Preconditioner, Scene, Settings, Start,
 };
@@ -10,6 +12,13 @@ const TET: ([[f32; 3]; 4], [[u32; 4]; 1]) = (
     [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
     [[0, 1, 2, 3]],
 );
+
+const COARSE: Coarse = Coarse {
+    aggregates: 8,
+    cut_blocks: 30,
+    products: 90,
+    sums: 240,
+};
 
 #[test]
 fn fit_gives_the_largest_budget_within_a_limit() {
@@ -87,10 +96,54 @@ fn every_part_of_a_scene_costs() {
                 entries: 600,
                 ..plain
             },
+            Load {
+                preconditioner: Kind::TwoLevel,
+                coarse: COARSE,
+                ..plain
+            },
         ] {
             assert!(
                 budget.cost(&more, machine) > budget.cost(&plain, machine),
                 "{name}: {more:?}"
+            );
+        }
+        // What fans share is saved: a load without a count of them is the most it can be.
+        assert_eq!(plain.fans, 50);
+        let ordered = Load { fans: 10, ..plain };
+        assert!(
+            budget.cost(&ordered, machine) < budget.cost(&plain, machine),
+            "{name}"
+        );
+        let two_level = Load {
+            preconditioner: Kind::TwoLevel,
+            coarse: COARSE,
+            ..plain
+        };
+        for coarse in [
+            Coarse {
+                aggregates: 9,
+                ..COARSE
+            },
+            Coarse {
+                cut_blocks: 31,
+                ..COARSE
+            },
+            Coarse {
+                products: 91,
+                ..COARSE
+            },
+            Coarse {
+                sums: 241,
+                ..COARSE
+            },
+        ] {
+            let more = Load {
+                coarse,
+                ..two_level
+            };
+            assert!(
+                budget.cost(&more, machine) > budget.cost(&two_level, machine),
+                "{name}: {coarse:?}"
             );
         }
         let huge = Load::new(usize::MAX, usize::MAX);
@@ -141,4 +194,54 @@ fn the_load_of_a_step() {
     };
     assert_eq!(load, expected);
     assert_eq!(Budget::fit(1, &load, Machine::CortexM4F), None);
+}
+
+#[test]
+fn the_load_of_fans_and_aggregates() {
+    // Eight rings of four tetrahedra, each around an edge of its own.
+    let (mut nodes, mut tets) = (Vec::new(), Vec::new());
+    for ring in 0..8_u32 {
+        let x = 4.0 * ring as f32;
+        let first = 6 * ring;
+        nodes.extend([[x, 0.0, 0.0], [x, 0.0, 1.0]]);
+        nodes.extend([
+            [x + 1.0, 0.0, 0.5],
+            [x, 1.0, 0.5],
+            [x - 1.0, 0.0, 0.5],
+            [x, -1.0, 0.5],
+        ]);
+        for k in 0..4 {
+            tets.push([first, first + 1, first + 2 + k, first + 2 + (k + 1) % 4]);
+        }
+    }
+    let material = Material::new(1e5, 0.3, 1000.0).unwrap();
+    let load = |tets: &[[u32; 4]], of: Option<&[u8]>| {
+        let mesh = Mesh::new(&nodes, tets).unwrap();
+        let body: OwnedBody = OwnedBody::new(&mesh, &material, Start::Zero).unwrap();
+        let settings = Settings::new(0.01).unwrap();
+        let settings = match of {
+            Some(of) => {
+                let aggregates = Aggregates::new(of, 3).unwrap();
+                settings.with_preconditioner(Preconditioner::TwoLevel(aggregates))
+            }
+            None => settings,
+        };
+        Load::of(&body.rest(), &Scene::default(), &settings)
+    };
+    // As listed, a block is two rings; in fans, all eight side by side.
+    assert_eq!(load(&tets, None).fans, 4);
+    let ordered = fans(&tets).tets;
+    assert_eq!(load(&ordered, None).fans, 1);
+    assert_eq!(load(&ordered, None).coarse, Coarse::default());
+    // The first ring's ends are aggregate 0, its first two other nodes 1, the others 2; what is left is 2, too.
+    let mut of = vec![2; nodes.len()];
+    of[..4].copy_from_slice(&[0, 0, 1, 1]);
+    let expected = Coarse {
+        aggregates: 3,
+        // The first ring is half a block: one tetrahedron of {0, 1}, two of {0, 1, 2}, one of {0, 2}.
+        cut_blocks: 1,
+        products: 6,
+        sums: 3 + 6 + 6 + 3,
+    };
+    assert_eq!(load(&tets, Some(&of)).coarse, expected);
 }

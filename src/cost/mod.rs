@@ -1,7 +1,7 @@
 //! What a step costs, before it is taken: a formula in the sizes of the mesh, the parts of the scene and the budget.
 //!
 //! ```text
-//! instructions = Σ_rows factor · (c₁ + c_n nodes + c_b blocks + c_e entries of the factor)
+//! instructions = Σ_rows factor · (c₁ + c_n nodes + c_r remainder + c_b blocks + c_f fans + c_e entries)
 //! ```
 //!
 //! The factors are products of what the settings say ([`terms`]): 1 for the step itself, k for its iterations, k·w for
@@ -21,15 +21,12 @@
 //! # Ok::<(), &str>(())
 //! ```
 
+mod load;
 mod table;
 
-use crate::element::Layout;
-use crate::lane::blocks;
-use crate::preconditioner::Preconditioner;
-use crate::preconditioner::factor::Entries;
-use crate::rest::Rest;
-use crate::scene::Scene;
-use crate::settings::{Budget, Settings, Start};
+pub use load::{Coarse, Kind, Load, SIZES};
+
+use crate::settings::{Budget, Start};
 
 /// Whose instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,134 +57,12 @@ impl Machine {
     }
 }
 
-/// Sixteenths of an instruction, by row ([`ROWS`]): once, a node, a block of tetrahedra, an entry of the factor.
-type Table = [[i32; 4]; ROWS.len()];
-
-/// A preconditioner without its data.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// [`Preconditioner::Identity`]
-    Identity,
-    /// [`Preconditioner::Mass`]
-    Mass,
-    /// [`Preconditioner::Jacobi`]
-    Jacobi,
-    /// [`Preconditioner::BlockJacobi`]
-    BlockJacobi,
-    /// [`Entries::Warped`]
-    Warped,
-    /// [`Entries::WarpedHalf`]
-    WarpedHalf,
-    /// [`Entries::Laplacian`]
-    Laplacian,
-    /// [`Entries::LaplacianHalf`]
-    LaplacianHalf,
-}
-
-impl Kind {
-    /// All, by name, in the order of their rows.
-    pub const ALL: [(&str, Self); 8] = [
-        ("identity", Self::Identity),
-        ("mass", Self::Mass),
-        ("jacobi", Self::Jacobi),
-        ("block-jacobi", Self::BlockJacobi),
-        ("warped", Self::Warped),
-        ("warped-half", Self::WarpedHalf),
-        ("laplacian", Self::Laplacian),
-        ("laplacian-half", Self::LaplacianHalf),
-    ];
-}
-
-impl From<Preconditioner<'_>> for Kind {
-    fn from(preconditioner: Preconditioner<'_>) -> Self {
-        match preconditioner {
-            Preconditioner::Identity => Self::Identity,
-            Preconditioner::Mass => Self::Mass,
-            Preconditioner::Jacobi => Self::Jacobi,
-            Preconditioner::BlockJacobi => Self::BlockJacobi,
-            Preconditioner::Factored(factor) => match factor.entries() {
-                Entries::Warped { .. } => Self::Warped,
-                Entries::WarpedHalf { .. } => Self::WarpedHalf,
-                Entries::Laplacian { .. } => Self::Laplacian,
-                Entries::LaplacianHalf { .. } => Self::LaplacianHalf,
-            },
-        }
-    }
-}
-
-/// All that a step's cost depends on, but for the budget.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Load {
-    /// Nodes of the mesh.
-    pub nodes: usize,
-    /// Tetrahedra of the mesh.
-    pub tets: usize,
-    /// Start of the solver.
-    pub start: Start,
-    /// Preconditioner of the solver.
-    pub preconditioner: Kind,
-    /// Entries of its factor, or 0.
-    pub entries: usize,
-    /// Pins of the scene.
-    pub pins: usize,
-    /// Colliders of the scene.
-    pub colliders: usize,
-    /// Whether a pin or collider has a velocity.
-    pub moving: bool,
-    /// Whether the scene has a list of forces.
-    pub forces: bool,
-    /// Whether θ < 1.
-    pub newmark: bool,
-}
-
-impl Load {
-    /// A free body of so many nodes and tetrahedra, with the settings' defaults.
-    #[must_use]
-    pub const fn new(nodes: usize, tets: usize) -> Self {
-        Self {
-            nodes,
-            tets,
-            start: Start::Galerkin(1),
-            preconditioner: Kind::Jacobi,
-            entries: 0,
-            pins: 0,
-            colliders: 0,
-            moving: false,
-            forces: false,
-            newmark: false,
-        }
-    }
-
-    /// That of a step.
-    #[must_use]
-    pub fn of<L: Layout>(rest: &Rest<'_, L>, scene: &Scene<'_>, settings: &Settings<'_>) -> Self {
-        let entries = match settings.preconditioner {
-            Preconditioner::Factored(factor) => factor.rows().len(),
-            _ => 0,
-        };
-        Self {
-            start: settings.start,
-            preconditioner: settings.preconditioner.into(),
-            entries,
-            pins: scene.pins.len(),
-            colliders: scene.colliders.len(),
-            moving: scene.moves(),
-            forces: !scene.forces.is_empty(),
-            newmark: settings.theta() < 1.0,
-            ..Self::new(rest.nodes.len(), rest.header.tets as usize)
-        }
-    }
-
-    /// What the coefficients of a row are multiplied with.
-    #[must_use]
-    pub fn sizes(&self) -> [u64; 4] {
-        [1, self.nodes, blocks(self.tets), self.entries].map(|size| size as u64)
-    }
-}
+/// Sixteenths of an instruction, by row ([`ROWS`]) and size ([`Load::sizes`]).
+type Table = [[i32; SIZES]; ROWS.len()];
 
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
-/// preparation without and with colliders, and its iteration; and which of the four sizes a row depends on.
-pub const ROWS: [(&str, [bool; 4]); 43] = [
+/// preparation without and with colliders, and its iteration; and which of the sizes a row depends on.
+pub const ROWS: [(&str, [bool; SIZES]); 55] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -207,6 +82,15 @@ pub const ROWS: [(&str, [bool; 4]); 43] = [
     ("a past velocity", NODES),
     ("rotations", NODES),
     ("held by pins", NODES),
+    ("coarse: an application more", NODES),
+    ("coarse: an aggregate", ONCE),
+    ("coarse: its square", ONCE),
+    ("coarse: its cube", ONCE),
+    ("coarse: a cut block", ONCE),
+    ("coarse: a product", ONCE),
+    ("coarse: a sum", ONCE),
+    ("coarse: an aggregate, an application", ONCE),
+    ("coarse: its square, an application", ONCE),
     ("identity: step", ALL),
     ("identity: step with colliders", ALL),
     ("identity: iteration", ALL),
@@ -231,16 +115,19 @@ pub const ROWS: [(&str, [bool; 4]); 43] = [
     ("laplacian-half: step", ALL),
     ("laplacian-half: step with colliders", ALL),
     ("laplacian-half: iteration", FACTOR),
+    ("two-level: step", ALL),
+    ("two-level: step with colliders", ALL),
+    ("two-level: iteration", ALL),
 ];
 
-const ONCE: [bool; 4] = [true, false, false, false];
-const NODES: [bool; 4] = [true, true, false, false];
-const BLOCKS: [bool; 4] = [true, false, true, false];
-const ALL: [bool; 4] = [true, true, true, false];
-const FACTOR: [bool; 4] = [true; 4];
+const ONCE: [bool; SIZES] = [true, false, false, false, false, false];
+const NODES: [bool; SIZES] = [true, true, true, false, false, false];
+const BLOCKS: [bool; SIZES] = [true, false, false, true, true, false];
+const ALL: [bool; SIZES] = [true, true, true, true, true, false];
+const FACTOR: [bool; SIZES] = [true; SIZES];
 
 /// The row where those of the preconditioners begin, and how many each has.
-const OWN: (usize, usize) = (19, 3);
+const OWN: (usize, usize) = (28, 3);
 
 /// How often a step pays each of [`ROWS`].
 #[must_use]
@@ -249,6 +136,11 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
     let free = u64::from(load.start.is_augmented() && load.pins == 0);
     let touching = u64::from(load.colliders > 0);
     let is = |start| u64::from(load.start == start);
+    let guessed = is(Start::Velocity) + is(Start::VelocityForce);
+    // Of the right-hand side and in every iteration; and of the residual of a start that is not zero.
+    let more = u64::from(guessed > 0 || load.moving) * u64::from(load.coarse.aggregates > 0);
+    let (aggregates, applications) = (load.coarse.aggregates as u64, 1 + k + more);
+    let square = aggregates.saturating_mul(aggregates);
     let common = [
         u64::from(budget.polar_sweeps > 0),
         u64::from(budget.polar_sweeps),
@@ -261,7 +153,7 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         touching * w,
         load.colliders as u64,
         load.pins as u64,
-        u64::from(load.moving) * (1 - is(Start::Velocity)) * (1 - is(Start::VelocityForce)),
+        u64::from(load.moving) * (1 - guessed),
         u64::from(load.newmark),
         u64::from(load.forces),
         is(Start::Velocity),
@@ -269,6 +161,15 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         load.start.history() as u64,
         u64::from(matches!(load.start, Start::Rigid(_))),
         u64::from(load.pins > 0),
+        more,
+        aggregates,
+        square,
+        square.saturating_mul(aggregates),
+        load.coarse.cut_blocks as u64,
+        load.coarse.products as u64,
+        load.coarse.sums as u64,
+        aggregates.saturating_mul(applications),
+        square.saturating_mul(applications),
     ];
     let own = [1 - touching, touching, k];
     let at = OWN.0 + OWN.1 * load.preconditioner as usize;

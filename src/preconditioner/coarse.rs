@@ -32,6 +32,7 @@
 use super::aggregate::{Aggregates, MAX_AGGREGATES, NONE};
 use super::fold::{Group, MODES, cross, motion, restricted};
 use crate::algebra::{add3, scale3};
+use crate::cost::Coarse as Load;
 use crate::element::{Layout, Sym3};
 use crate::lane::{BLOCK, Lanes};
 use crate::math::{Mask, ratio_or_zero};
@@ -64,6 +65,7 @@ pub(super) struct Coarse<'a> {
 impl<'a> Coarse<'a> {
     /// Makes and factors E. `blocks` are the diagonal blocks of A, `scratch` is as long as the body has nodes,
     /// `out` as [`coarse_length`] says.
+    #[inline(never)]
     pub fn new<R: Lanes, L: Layout>(
         aggregates: Aggregates<'a>,
         operator: &Operator<'_, L>,
@@ -109,6 +111,7 @@ impl<'a> Coarse<'a> {
     }
 
     /// `z` += P Z E⁻¹ Zᵀ P r
+    #[inline(never)]
     pub fn add(&self, filter: &[Sym3<f32>], r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         let mut motions = [[0.0_f32; MODES]; MAX_AGGREGATES];
         for (((r, p), x), &of) in r.iter().zip(filter).zip(self.x).zip(self.aggregates.of()) {
@@ -294,7 +297,7 @@ impl Cuts {
         Some(out)
     }
 
-    #[inline(always)]
+    #[inline]
     fn fold<R: Lanes, L: Layout>(
         &self,
         tet: &TetBlock,
@@ -302,7 +305,9 @@ impl Cuts {
         slot: usize,
         at: usize,
     ) -> L::Folded<R> {
-        let members = core::array::from_fn(|corner| R::load(&self.members[slot][corner], at));
+        // A tetrahedron has four slots: the remainder only keeps panics out of the binary, here and below.
+        let members = &self.members[slot % 4];
+        let members = core::array::from_fn(|corner| R::load(&members[corner], at));
         let d = core::array::from_fn(|corner| {
             core::array::from_fn(|axis| R::load(&self.offsets[corner][axis], at))
         });
@@ -312,6 +317,26 @@ impl Cuts {
         };
         L::fold(tet, rotated, at, &group)
     }
+}
+
+/// What [`add_cuts`] goes through, for the cost of a step.
+pub(crate) fn load(blocks: &[TetBlock], aggregates: &Aggregates<'_>) -> Load {
+    let pairs = |n: usize| n * (n + 1) / 2;
+    let mut load = Load {
+        aggregates: aggregates.count(),
+        ..Load::default()
+    };
+    for cuts in blocks
+        .iter()
+        .filter_map(|tet| Cuts::new(tet, aggregates.of(), &[]))
+    {
+        load.cut_blocks += 1;
+        load.products += pairs(cuts.slots);
+        for of in &cuts.aggregates {
+            load.sums += pairs(of.iter().filter(|&&of| of != NONE).count());
+        }
+    }
+    load
 }
 
 /// c_K Zᵀ K Z of the cut tetrahedra: motion by motion through the element's product.
@@ -342,7 +367,7 @@ fn add_cuts<R: Lanes, L: Layout>(
                     at += R::WIDTH;
                 }
                 for (lane, aggregates) in cuts.aggregates.iter().enumerate() {
-                    let (a, b) = (aggregates[slot], aggregates[other]);
+                    let (a, b) = (aggregates[slot % 4], aggregates[other % 4]);
                     if b != NONE {
                         for (mode, row) in rows.iter().enumerate() {
                             e.add(a, mode, b, row.iter().map(|lanes| lanes[lane]));

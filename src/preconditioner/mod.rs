@@ -137,21 +137,8 @@ impl<'a> Prepared<'a> {
     #[inline(always)]
     pub fn apply(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         match self.preconditioner {
-            Preconditioner::Factored(factor) if factor.is_warped() => {
-                for (((z, r), p), rows) in z.iter_mut().zip(r).zip(self.filter).zip(self.blocks) {
-                    *z = warp::unturn(rows, &sym_mul(p, r));
-                }
-                factor.solve(z);
-                for ((z, p), rows) in z.iter_mut().zip(self.filter).zip(self.blocks) {
-                    *z = sym_mul(p, &warp::turn(rows, z));
-                }
-            }
             Preconditioner::Factored(factor) => {
-                multiply_blocks(z, self.filter, r);
-                factor.solve(z);
-                for (z, p) in z.iter_mut().zip(self.filter) {
-                    *z = sym_mul(p, z);
-                }
+                solve(factor, self.filter, self.blocks, r, z);
             }
             _ => multiply_blocks(z, self.blocks, r),
         }
@@ -168,5 +155,28 @@ impl<'a> Prepared<'a> {
     /// Whether an application costs little beside one of A (two-level: a third at most, from 3 k tetrahedra on).
     pub(crate) fn is_cheap(&self) -> bool {
         !matches!(self.preconditioner, Preconditioner::Factored(_))
+    }
+}
+
+/// `z` = P R (L D Lᵀ)⁻¹ Rᵀ P r, where R are the nodes' rotations of a warped factor, else 1.
+#[inline(never)]
+fn solve(
+    factor: &Factor<'_>,
+    filter: &[Sym3<f32>],
+    rotations: &[Sym3<f32>],
+    r: &[[f32; 3]],
+    z: &mut [[f32; 3]],
+) {
+    let rotations = if factor.is_warped() { rotations } else { &[] };
+    multiply_blocks(z, filter, r);
+    for (z, rows) in z.iter_mut().zip(rotations) {
+        *z = warp::unturn(rows, z);
+    }
+    factor.solve(z);
+    for (z, rows) in z.iter_mut().zip(rotations) {
+        *z = warp::turn(rows, z);
+    }
+    for (z, p) in z.iter_mut().zip(filter) {
+        *z = sym_mul(p, z);
     }
 }

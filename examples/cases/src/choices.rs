@@ -1,5 +1,7 @@
 //! Every preconditioner and every kind of start. What the checks run, the cost table has, and the programs print.
 
+use femto::preconditioner::aggregate::{DEFAULT_AGGREGATES, MAX_AGGREGATES};
+use femto::preconditioner::coarse::coarse_length;
 use femto::{Preconditioner, Start};
 
 use crate::factor::Kind;
@@ -11,10 +13,12 @@ pub enum Choice {
     Local(Preconditioner<'static>),
     /// One with a factor, which the program holds.
     Factored(Kind),
+    /// Two-level, with so many aggregates, which the program holds.
+    TwoLevel(usize),
 }
 
 /// All of them, by name.
-pub const PRECONDITIONERS: [(&str, Choice); 8] = [
+pub const PRECONDITIONERS: [(&str, Choice); 9] = [
     ("identity", Choice::Local(Preconditioner::Identity)),
     ("mass", Choice::Local(Preconditioner::Mass)),
     ("jacobi", Choice::Local(Preconditioner::Jacobi)),
@@ -23,7 +27,19 @@ pub const PRECONDITIONERS: [(&str, Choice); 8] = [
     ("warped-half", Choice::Factored(Kind::WarpedHalf)),
     ("laplacian", Choice::Factored(Kind::Laplacian)),
     ("laplacian-half", Choice::Factored(Kind::LaplacianHalf)),
+    ("two-level", Choice::TwoLevel(DEFAULT_AGGREGATES)),
 ];
+
+/// More, which the cost table needs to tell its terms apart.
+pub const MORE_PRECONDITIONERS: [(&str, Choice); 4] = [
+    ("two-level", Choice::TwoLevel(1)),
+    ("two-level", Choice::TwoLevel(3)),
+    ("two-level", Choice::TwoLevel(12)),
+    ("two-level", Choice::TwoLevel(MAX_AGGREGATES)),
+];
+
+/// Capacity for the coarse half of any of them.
+pub const COARSE: usize = coarse_length(MAX_AGGREGATES);
 
 /// The one of [`PRECONDITIONERS`] that is the default.
 pub const JACOBI: (&str, Choice) = PRECONDITIONERS[2];

@@ -1,19 +1,25 @@
 //! Steps whose instructions an emulator counts, between two marker functions.
 //!
-//! A program calls [`prove`] or [`measure`]; before every counted step they say what it is, and the emulator's
+//! A program calls [`prove`], [`measure`] or [`cube`]; before every counted step they say what it is, and the emulator's
 //! plugin (`examples/firmware/counter.c`) finishes the line with the count.
 
 use core::fmt::Arguments;
 use core::hint::black_box;
 
+use femto::cost::Load;
 use femto::glam::Vec3;
+use femto::preconditioner::Aggregates;
 use femto::{
     Body, Budget, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start,
     StepReport, blocks,
 };
 
-use crate::choices::{Choice, HISTORY, JACOBI, MORE_STARTS, PRECONDITIONERS, STARTS, VECTORS};
+use crate::choices::{
+    COARSE, Choice, HISTORY, JACOBI, MORE_PRECONDITIONERS, MORE_STARTS, PRECONDITIONERS, STARTS,
+    VECTORS,
+};
 use crate::factor::FactorRoom;
+use crate::fans;
 use crate::mesh::Grid;
 use crate::states::{REFUSED, STATES, State};
 
@@ -35,7 +41,7 @@ pub struct Room {
     factors: FactorRoom<NODES, { 7 * NODES }>,
 }
 
-type AnyBody = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS>;
+type AnyBody = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS, femto::element::Factored, COARSE>;
 
 impl Room {
     /// Empty.
@@ -51,15 +57,22 @@ impl Room {
 /// A mesh, borrowed.
 type Rest = (&'static [[f32; 3]], &'static [[u32; 4]]);
 
-/// The meshes that the cost table is fitted to.
-const FITTED: [Rest; 4] = [
+/// The meshes that the cost table is fitted to, in the order of their cells and in fans.
+const FITTED: [Rest; 8] = [
     (&SMALL.nodes, &SMALL.tets),
     (&FLAT.nodes, &FLAT.tets),
     (&LONG.nodes, &LONG.tets),
     (&THICK.nodes, &THICK.tets),
+    (&SMALL.nodes, &fans::SMALL),
+    (&FLAT.nodes, &fans::FLAT),
+    (&LONG.nodes, &fans::LONG),
+    (&THICK.nodes, &fans::THICK),
 ];
 /// Those that it is then compared with.
-const OTHERS: [Rest; 3] = [
+const OTHERS: [Rest; 6] = [
+    (&CUBE.nodes, &fans::CUBE),
+    (&BAR.nodes, &fans::BAR),
+    (&LARGE.nodes, &fans::LARGE),
     (&CUBE.nodes, &CUBE.tets),
     (&BAR.nodes, &BAR.tets),
     (&LARGE.nodes, &LARGE.tets),
@@ -141,11 +154,13 @@ pub fn prove(
                     ..PLAIN
                 };
                 for state in STATES {
-                    (counter.say)(format_args!(
-                        "{} {} {world} {} ",
-                        preconditioner.0, start.0, state.0
-                    ));
-                    counted(room, cube, &case, state, counter)?;
+                    let label = |_, say: &mut dyn FnMut(Arguments<'_>)| {
+                        say(format_args!(
+                            "{} {} {world} {} ",
+                            preconditioner.0, start.0, state.0
+                        ));
+                    };
+                    counted(room, cube, &case, state, label, counter)?;
                 }
             }
         }
@@ -154,8 +169,8 @@ pub fn prove(
 }
 
 /// Steps of several meshes in enough different settings to fit the cost table (`fit`) and to compare it
-/// (`check`). A line is: fit or check, nodes, tetrahedra, entries of the factor, preconditioner, start, iterations,
-/// sweeps, pins, colliders, moving, forces, newmark, count.
+/// (`check`). A line is: fit or check, nodes, tetrahedra, fans, entries of the factor, the four numbers of the coarse
+/// half, preconditioner, start, iterations, sweeps, pins, colliders, moving, forces, newmark, count.
 ///
 /// # Errors
 /// [`BadCase`].
@@ -171,7 +186,8 @@ pub fn measure(
     }
     for mesh in OTHERS {
         fill(room, mesh)?;
-        for (k, preconditioner) in PRECONDITIONERS.into_iter().enumerate() {
+        let preconditioners = PRECONDITIONERS.into_iter().chain(MORE_CHECKED);
+        for (k, preconditioner) in preconditioners.enumerate() {
             for (j, start) in STARTS.into_iter().chain(MORE_STARTS).enumerate() {
                 let mixed = Case {
                     preconditioner,
@@ -191,6 +207,29 @@ pub fn measure(
     Ok(())
 }
 
+/// With other numbers of aggregates than those that it was fitted to.
+const MORE_CHECKED: [(&str, Choice); 2] = [
+    ("two-level", Choice::TwoLevel(5)),
+    ("two-level", Choice::TwoLevel(10)),
+];
+
+/// The one of [`PRECONDITIONERS`] with a coarse half.
+const TWO_LEVEL: (&str, Choice) = PRECONDITIONERS[8];
+
+/// The step that the README and CI have a limit for: the 64-node cube in fans, free, Jacobi, 5 iterations, 1 sweep. A
+/// line as [`measure`]'s.
+///
+/// # Errors
+/// [`BadCase`].
+pub fn cube(
+    room: &mut Room,
+    counter: &mut Counter<impl FnMut(Arguments<'_>)>,
+) -> Result<(), BadCase> {
+    let [cube, ..] = OTHERS;
+    fill(room, cube)?;
+    line(room, cube, &PLAIN, "check", counter)
+}
+
 const fn budget(iterations: u32, polar_sweeps: u32) -> Budget {
     Budget {
         iterations,
@@ -200,7 +239,8 @@ const fn budget(iterations: u32, polar_sweeps: u32) -> Budget {
 
 /// Every term of the cost with and without the terms that it multiplies.
 fn design() -> impl Iterator<Item = Case> {
-    let by_preconditioner = PRECONDITIONERS.into_iter().flat_map(|preconditioner| {
+    let preconditioners = PRECONDITIONERS.into_iter().chain(MORE_PRECONDITIONERS);
+    let by_preconditioner = preconditioners.flat_map(|preconditioner| {
         [(0, 0), (6, 0), (0, 1), (6, 2)].map(|(iterations, colliders)| Case {
             preconditioner,
             budget: budget(iterations, 1),
@@ -246,6 +286,12 @@ fn design() -> impl Iterator<Item = Case> {
             moving: true,
             ..PLAIN
         },
+        Case {
+            preconditioner: TWO_LEVEL,
+            pins: 1,
+            moving: true,
+            ..PLAIN
+        },
     ];
     by_preconditioner.chain(by_start).chain(others)
 }
@@ -257,22 +303,32 @@ fn line(
     purpose: &str,
     counter: &mut Counter<impl FnMut(Arguments<'_>)>,
 ) -> Result<(), BadCase> {
-    (counter.say)(format_args!(
-        "{purpose} {} {} {} {} {} {} {} {} {} {} {} {} ",
-        mesh.0.len(),
-        mesh.1.len(),
-        room.factors.entries(),
-        case.preconditioner.0,
-        case.start.0,
-        case.budget.iterations,
-        case.budget.polar_sweeps,
-        case.pins,
-        case.colliders,
-        u8::from(case.moving && case.pins + case.colliders > 0),
-        u8::from(case.forces),
-        u8::from(case.theta < 1.0),
-    ));
-    counted(room, mesh, case, STATES[1], counter)
+    let label = |load: Load, say: &mut dyn FnMut(Arguments<'_>)| {
+        say(format_args!(
+            "{purpose} {} {} {} {} {} {} {} {} ",
+            load.nodes,
+            load.tets,
+            load.fans,
+            load.entries,
+            load.coarse.aggregates,
+            load.coarse.cut_blocks,
+            load.coarse.products,
+            load.coarse.sums,
+        ));
+        say(format_args!(
+            "{} {} {} {} {} {} {} {} {} ",
+            case.preconditioner.0,
+            case.start.0,
+            case.budget.iterations,
+            case.budget.polar_sweeps,
+            load.pins,
+            load.colliders,
+            u8::from(load.moving),
+            u8::from(load.forces),
+            u8::from(load.newmark),
+        ));
+    };
+    counted(room, mesh, case, STATES[1], label, counter)
 }
 
 fn fill(room: &mut Room, (nodes, tets): Rest) -> Result<(), BadCase> {
@@ -282,13 +338,14 @@ fn fill(room: &mut Room, (nodes, tets): Rest) -> Result<(), BadCase> {
     room.body.fill(&mesh, &material).map_err(|_| BadCase)
 }
 
-/// Takes one step from a state between the marks.
+/// Takes one step from a state between the marks, after `label` has said what it is.
 fn counted(
     room: &mut Room,
     (nodes, _): Rest,
     case: &Case,
     (name, change): (&str, State),
-    counter: &Counter<impl FnMut(Arguments<'_>)>,
+    label: impl FnOnce(Load, &mut dyn FnMut(Arguments<'_>)),
+    counter: &mut Counter<impl FnMut(Arguments<'_>)>,
 ) -> Result<(), BadCase> {
     let (mut x, mut v, force) = (
         [[0.0; 3]; NODES],
@@ -323,13 +380,19 @@ fn counted(
         pins: &pins[..case.pins],
         colliders: &colliders[..case.colliders],
     };
-    let factor;
+    let (factor, mut of);
     let preconditioner = match case.preconditioner.1 {
         Choice::Local(preconditioner) => preconditioner,
         Choice::Factored(kind) => {
             let made = factors.factor(kind, body.rest().header.fingerprint);
             factor = made.map_err(|_| BadCase)?;
             Preconditioner::Factored(&factor)
+        }
+        Choice::TwoLevel(count) => {
+            of = [0; NODES];
+            let of = &mut of[..nodes.len()];
+            let made = Aggregates::divide(&body.rest(), count, of);
+            Preconditioner::TwoLevel(made.map_err(|_| BadCase)?)
         }
     };
     let settings = Settings::new(case.dt)
@@ -345,6 +408,7 @@ fn counted(
         v.fill([0.0; 3]);
         body.place(x, v).map_err(|_| BadCase)?;
     }
+    label(Load::of(&body.rest(), &scene, &settings), &mut counter.say);
     (counter.begin)();
     let mut report = step(body, &scene, &settings);
     if counter.early_exit {

@@ -1,6 +1,7 @@
 //! What the checks of bits, cost and size have in common, on every target: a hosted one, WASM, or firmware.
 //!
 //! * [`mesh`]: small irregular meshes, computed at compile time;
+//! * [`fans`]: the tetrahedra of some of them in the order that firmware gets them in;
 //! * [`factor`]: made-up factors for the factored preconditioners;
 //! * [`choices`]: every preconditioner and every start, by name. **A new one is added there, and only there**;
 //! * [`scenes`]: the scenes whose bits are compared, and their golden hashes;
@@ -10,6 +11,11 @@
 pub mod choices;
 pub mod cost;
 pub mod factor;
+/// Tetrahedra in fans, by the name of their mesh; written by the build script.
+#[rustfmt::skip]
+pub mod fans {
+    include!(concat!(env!("OUT_DIR"), "/fans.rs"));
+}
 pub mod mesh;
 pub mod scenes;
 pub mod states;

@@ -1,17 +1,19 @@
 //! The scenes whose bits are compared on every target, and the hashes that they must give.
 //!
-//! One scene of each kind, each preconditioner, each start: 16 nodes, 18 tetrahedra, 1,000 steps, with a
-//! hash of all positions and velocities after steps 1, 20 and 1,000. The hashes are those of `golden.txt`;
+//! One scene of each kind, each preconditioner, each start: 16 nodes, 18 tetrahedra (27 and 48 in fans), 1,000 steps,
+//! with a hash of all positions and velocities after steps 1, 20 and 1,000. The hashes are those of `golden.txt`;
 //! after a change of the numerics, `cargo run --release -p femto-cases --bin bits -- --bless` writes them anew.
 
 use femto::body::State;
 use femto::element::{Dense, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
+use femto::preconditioner::Aggregates;
 use femto::{Body, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start, blocks};
 
-use crate::choices::{Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
+use crate::choices::{COARSE, Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
 use crate::factor::FactorRoom;
+use crate::fans;
 use crate::mesh::Grid;
 
 /// Steps after which the state is hashed.
@@ -20,12 +22,15 @@ pub const CHECKPOINTS: [u32; 3] = [1, 20, 1000];
 /// Steps of a whole run.
 pub const STEPS: u32 = 1000;
 
-const NODES: usize = 16;
-const TETS: usize = 18;
-static MESH: Grid<NODES, TETS> = Grid::new([3, 1, 1]);
+/// Of the larger mesh.
+const NODES: usize = 27;
+const TETS: usize = 48;
+static MESH: Grid<16, 18> = Grid::new([3, 1, 1]);
+/// Large enough for tetrahedra that are listed in fans to make some.
+static CUBE: Grid<NODES, TETS> = Grid::new([2, 2, 2]);
 
 /// A body of either layout, with room for any start.
-type AnyBody<L> = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS, L>;
+type AnyBody<L> = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS, L, COARSE>;
 
 /// What the scenes run in; all bits zero, to be a `static`.
 #[derive(Debug, Default)]
@@ -70,6 +75,7 @@ pub struct Case {
     preconditioner: Choice,
     theta: f32,
     dense: bool,
+    fans: bool,
     rolls_back: bool,
 }
 
@@ -82,12 +88,13 @@ impl Case {
             preconditioner: JACOBI.1,
             theta: 1.0,
             dense: false,
+            fans: false,
             rolls_back: false,
         }
     }
 }
 
-const KINDS: [Case; 6] = [
+const KINDS: [Case; 7] = [
     Case::new("spin", World::Free),
     Case::new("pinned", World::Pinned),
     Case::new("contact", World::Contact),
@@ -98,6 +105,10 @@ const KINDS: [Case; 6] = [
     Case {
         dense: true,
         ..Case::new("dense", World::Contact)
+    },
+    Case {
+        fans: true,
+        ..Case::new("fans", World::Contact)
     },
     // Must have the hashes of "contact".
     Case {
@@ -141,7 +152,7 @@ pub fn run(
         saved,
         factor,
     } = bodies;
-    factor.fill(NODES, &MESH.tets);
+    factor.fill(MESH.nodes.len(), &MESH.tets);
     if case.dense {
         run_body(case, dense, saved, factor, steps, checkpoint)
     } else {
@@ -157,14 +168,20 @@ fn run_body<L: Layout>(
     steps: u32,
     mut checkpoint: impl FnMut(u32, u64),
 ) -> Result<(), BadCase> {
-    let mesh = Mesh::new(&MESH.nodes, &MESH.tets).map_err(|_| BadCase)?;
+    let (nodes, tets): (&[_], &[_]) = if case.fans {
+        (&CUBE.nodes, &fans::SMALL)
+    } else {
+        (&MESH.nodes, &MESH.tets)
+    };
+    let mesh = Mesh::new(nodes, tets).map_err(|_| BadCase)?;
     let material = Material::new(2e4, 0.4, 1000.0)
         .and_then(|m| m.with_damping(0.05, 1e-4))
         .map_err(|_| BadCase)?;
     body.fill(&mesh, &material).map_err(|_| BadCase)?;
     let mut v = [[0.0; 3]; NODES];
+    let v = &mut v[..nodes.len()];
     if case.world != World::Pinned {
-        for (v, x) in v.iter_mut().zip(&MESH.nodes) {
+        for (v, x) in v.iter_mut().zip(nodes) {
             // Thrown along x, turning about an axis that is none of the body's.
             *v = [
                 1.0 - 4.0 * x[1] + 3.0 * x[2],
@@ -173,15 +190,21 @@ fn run_body<L: Layout>(
             ];
         }
     }
-    body.place(&MESH.nodes, &v).map_err(|_| BadCase)?;
+    body.place(nodes, v).map_err(|_| BadCase)?;
 
-    let factor;
+    let (factor, mut of);
     let preconditioner = match case.preconditioner {
         Choice::Local(preconditioner) => preconditioner,
         Choice::Factored(kind) => {
             let made = factors.factor(kind, body.rest().header.fingerprint);
             factor = made.map_err(|_| BadCase)?;
             Preconditioner::Factored(&factor)
+        }
+        Choice::TwoLevel(count) => {
+            of = [0; NODES];
+            let of = &mut of[..nodes.len()];
+            let made = Aggregates::divide(&body.rest(), count, of);
+            Preconditioner::TwoLevel(made.map_err(|_| BadCase)?)
         }
     };
     let settings = Settings::new(1.0 / 150.0)

@@ -1,4 +1,4 @@
-//! A soft body on a Cortex-M4F with 20 KB of RAM: rest data in flash, state and workspace in `static`s, one
+//! A soft body on a Cortex-M4F with 20 KB of RAM: the body in flash, state and workspace in `static`s, one
 //! step a tick of the timer.
 //!
 //! `cargo run --release` runs it under QEMU. It prints what it measured, and exits with 0 if no step was
@@ -10,32 +10,21 @@ use core::sync::atomic::{AtomicU32, Ordering};
 
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
-use femto::blocks;
 use femto::body::{State, Workspace};
-use femto::element::Factored;
 use femto::energy::StateHash;
 use femto::lane::Native;
-use femto::rest::{Header, Rest, TetBlock};
 use femto::step::step;
+use femto::{Asset, Scene, blocks};
 use femto_firmware::{Once, entry, report_panics, stack};
 use scene::{NODES, RATE, SCENE, SETTINGS, STEPS, TETS};
 use semihosting::{println, process};
 
 mod scene;
 
-/// Rest data in flash, as the build script wrote it.
-mod rest {
-    use super::{Header, TetBlock};
-    include!(concat!(env!("OUT_DIR"), "/rest.rs"));
-    pub const REST: super::Rest<'static, super::Factored> = super::Rest {
-        nodes: &NODES,
-        masses: &MASSES,
-        blocks: &BLOCKS,
-        stiffness: &[(); BLOCKS.len()],
-        header: HEADER,
-    };
-    pub const FINAL: u64 = HASH;
-}
+/// The body, as the build script baked it (or `femto bake` would): it stays in flash.
+static BODY: &[u8] = femto::include_asset!(concat!(env!("OUT_DIR"), "/cube.femto"));
+/// The hash of its last state on the host.
+const HASH: u64 = include!(concat!(env!("OUT_DIR"), "/hash"));
 
 static STATE: Once<State<NODES, { blocks(TETS) }>> = Once::new(State::new());
 static WORK: Once<Workspace<NODES, { blocks(TETS) }>> = Once::new(Workspace::new());
@@ -58,10 +47,13 @@ report_panics!();
 fn main() -> ! {
     // SAFETY: here only, and `main` runs once.
     let (state, work) = unsafe { (STATE.take(), WORK.take()) };
-    let rest = rest::REST;
+    let Ok(Asset { rest, pins, .. }) = Asset::new(BODY) else {
+        process::exit(4);
+    };
     if state.reset(&rest).is_err() {
         process::exit(2);
     }
+    let scene = Scene { pins, ..SCENE };
     let Some(mut timer) = cortex_m::Peripherals::take().map(|p| p.SYST) else {
         process::exit(3);
     };
@@ -82,7 +74,7 @@ fn main() -> ! {
             &rest,
             &mut state.view_mut(),
             &mut work.view_mut(&rest),
-            &SCENE,
+            &scene,
             &SETTINGS,
         );
         let taken = before.wrapping_sub(timer_now());
@@ -110,9 +102,9 @@ fn main() -> ! {
     );
     println!(
         "{late} late, {refused} refused, state {hash:016x} (host: {:016x})",
-        rest::FINAL
+        HASH
     );
-    let fine = late == 0 && refused == 0 && used <= STACK && hash == rest::FINAL;
+    let fine = late == 0 && refused == 0 && used <= STACK && hash == HASH;
     process::exit(i32::from(!fine))
 }
 

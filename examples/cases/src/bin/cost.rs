@@ -1,11 +1,11 @@
-//! Steps to be counted by the plugin under qemu-user: `cost prove` or `cost measure`; see [`femto_cases::cost`].
+//! Steps to be counted by the plugin under qemu-user: `cost prove`, `cost measure` or `cost cube`; see [`femto_cases::cost`].
 
 use std::fmt::Arguments;
 use std::hint::black_box;
 use std::io::Write;
 use std::process::ExitCode;
 
-use femto_cases::cost::{Counter, Room, measure, prove};
+use femto_cases::cost::{Counter, Room, cube, measure, prove};
 
 #[expect(unsafe_code, reason = "the plugin finds the function by its name")]
 #[unsafe(no_mangle)]
@@ -37,6 +37,7 @@ fn main() -> ExitCode {
     let outcome = match std::env::args().nth(1).as_deref() {
         Some("prove") => prove(&mut room, &mut counter),
         Some("measure") => measure(&mut room, &mut counter),
+        Some("cube") => cube(&mut room, &mut counter),
         _ => return ExitCode::from(2),
     };
     ExitCode::from(u8::from(outcome.is_err()))

@@ -12,7 +12,7 @@ use std::io::{self, BufRead};
 use std::process::ExitCode;
 
 use femto::Budget;
-use femto::cost::{Kind, Load, Machine, ROWS, terms};
+use femto::cost::{Coarse, Kind, Load, Machine, ROWS, SIZES, terms};
 use femto_cases::choices::{MORE_STARTS, STARTS};
 use nalgebra::{DMatrix, DVector};
 
@@ -92,15 +92,15 @@ fn report(name: &str, counted: &[Counted], formula: impl Fn(&Counted) -> f64) ->
 }
 
 /// Least squares of the relative error, the smallest coefficients where several sets are as good.
-fn fit(counted: &[Counted]) -> Result<Vec<[i32; 4]>, Box<dyn Error>> {
+fn fit(counted: &[Counted]) -> Result<Vec<[i32; SIZES]>, Box<dyn Error>> {
     let steps: Vec<&Counted> = counted.iter().filter(|step| step.fitted).collect();
-    let mut factors = DMatrix::zeros(steps.len(), 4 * ROWS.len());
+    let mut factors = DMatrix::zeros(steps.len(), SIZES * ROWS.len());
     for (i, step) in steps.iter().enumerate() {
         let rows = terms(&step.load, step.budget);
         for (row, (factor, (_, depends))) in rows.iter().zip(ROWS).enumerate() {
             for (k, size) in step.load.sizes().into_iter().enumerate() {
                 let part = if depends[k] { factor * size } else { 0 };
-                factors[(i, 4 * row + k)] = part as f64 / step.instructions as f64;
+                factors[(i, SIZES * row + k)] = part as f64 / step.instructions as f64;
             }
         }
     }
@@ -123,7 +123,7 @@ fn fit(counted: &[Counted]) -> Result<Vec<[i32; 4]>, Box<dyn Error>> {
 }
 
 /// The formula with a table that is not yet the crate's.
-fn of(table: &[[i32; 4]], step: &Counted) -> f64 {
+fn of(table: &[[i32; SIZES]], step: &Counted) -> f64 {
     let sizes = step.load.sizes();
     let rows = terms(&step.load, step.budget).into_iter().zip(table);
     let parts = rows.flat_map(|(row, coefficients)| {
@@ -134,54 +134,59 @@ fn of(table: &[[i32; 4]], step: &Counted) -> f64 {
 }
 
 fn parse(line: &str) -> Option<Counted> {
-    let words: Vec<&str> = line.split_ascii_whitespace().collect();
-    let &[
-        purpose,
+    let mut words = line.split_ascii_whitespace();
+    let fitted = match words.next()? {
+        "fit" => true,
+        "check" => false,
+        _ => return None,
+    };
+    let mut numbers = [0; 8];
+    for number in &mut numbers {
+        *number = words.next()?.parse().ok()?;
+    }
+    let [
         nodes,
         tets,
+        fans,
         entries,
-        kind,
-        start,
-        k,
-        sweeps,
-        pins,
-        colliders,
-        moving,
-        forces,
-        newmark,
-        count,
-    ] = words.as_slice()
-    else {
-        return None;
-    };
+        aggregates,
+        cut_blocks,
+        products,
+        sums,
+    ] = numbers;
+    let [kind, start] = [words.next()?, words.next()?];
+    let mut numbers = [0; 8];
+    for number in &mut numbers {
+        *number = words.next()?.parse().ok()?;
+    }
+    let [k, sweeps, pins, colliders, moving, forces, newmark, count] = numbers;
     let (_, preconditioner) = Kind::ALL.into_iter().find(|(name, _)| *name == kind)?;
     let mut starts = STARTS.iter().chain(&MORE_STARTS);
     let &(_, start) = starts.find(|(name, _)| *name == start)?;
-    let factored = matches!(
-        preconditioner,
-        Kind::Warped | Kind::WarpedHalf | Kind::Laplacian | Kind::LaplacianHalf
-    );
     Some(Counted {
-        fitted: match purpose {
-            "fit" => true,
-            "check" => false,
-            _ => return None,
-        },
+        fitted,
         load: Load {
+            fans,
             start,
             preconditioner,
-            entries: if factored { entries.parse().ok()? } else { 0 },
-            pins: pins.parse().ok()?,
-            colliders: colliders.parse().ok()?,
-            moving: moving == "1",
-            forces: forces == "1",
-            newmark: newmark == "1",
-            ..Load::new(nodes.parse().ok()?, tets.parse().ok()?)
+            entries,
+            coarse: Coarse {
+                aggregates,
+                cut_blocks,
+                products,
+                sums,
+            },
+            pins,
+            colliders,
+            moving: moving == 1,
+            forces: forces == 1,
+            newmark: newmark == 1,
+            ..Load::new(nodes, tets)
         },
         budget: Budget {
-            iterations: k.parse().ok()?,
-            polar_sweeps: sweeps.parse().ok()?,
+            iterations: k as u32,
+            polar_sweeps: sweeps as u32,
         },
-        instructions: count.parse().ok()?,
+        instructions: count as u64,
     })
 }

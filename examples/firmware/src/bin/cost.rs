@@ -1,10 +1,10 @@
-//! Steps to be counted by the plugin: `cost prove` or `cost measure`; see [`femto_cases::cost`].
+//! Steps to be counted by the plugin: `cost prove`, `cost measure` or `cost cube`; see [`femto_cases::cost`].
 #![no_std]
 #![no_main]
 
 use core::hint::black_box;
 
-use femto_cases::cost::{Counter, Room, measure, prove};
+use femto_cases::cost::{Counter, Room, cube, measure, prove};
 use femto_firmware::{Once, entry, report_panics};
 use semihosting::{experimental::env, print, process};
 
@@ -41,6 +41,7 @@ fn main() -> ! {
     let outcome = match mode {
         Some("prove") => prove(room, &mut counter),
         Some("measure") => measure(room, &mut counter),
+        Some("cube") => cube(room, &mut counter),
         _ => process::exit(2),
     };
     process::exit(i32::from(outcome.is_err()))
