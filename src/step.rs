@@ -463,8 +463,8 @@ fn advance<L: Layout>(
     }
     let mut first = None;
     for (node, (x, v)) in (0_u32..).zip(work.p.iter().zip(&*work.v)) {
-        // c − c is 0 where c is finite, else NaN.
-        let [x, v] = [x, v].map(|c| (c[0] - c[0]) + (c[1] - c[1]) + (c[2] - c[2]));
+        // 0 · c is 0 where c is finite, else NaN.
+        let [x, v] = [x, v].map(|c| 0.0 * c[0] + 0.0 * c[1] + 0.0 * c[2]);
         let finite = x + v == 0.0;
         if !finite && first.is_none() {
             first = Some(node);
