@@ -12,7 +12,7 @@
 /// Square root, correctly rounded. NaN for negative input.
 ///
 /// One instruction, whatever the argument, on x86 with SSE2, AArch64, Arm with an FPU (`eabihf`: Cortex-M4F
-/// and up, ARMv7), and WASM with simd128; elsewhere `libm`'s routine, with the same bits.
+/// and up, ARMv7), and WASM; elsewhere `libm`'s routine, with the same bits.
 #[inline]
 #[must_use]
 pub fn sqrt(x: f32) -> f32 {
