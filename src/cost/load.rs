@@ -170,6 +170,6 @@ impl Load {
     }
 }
 
-/// Once; nodes; numbers of a node vector that do not fill the [`SUMS`] of a dot product; blocks; fans; entries of the
+/// Once; nodes; numbers of a node vector that do not fill the sums of a dot product; blocks; fans; entries of the
 /// factor.
 pub const SIZES: usize = 6;
