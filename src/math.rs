@@ -30,6 +30,7 @@ pub fn sqrt(x: f32) -> f32 {
 #[allow(unsafe_code)]
 #[inline]
 fn wasm_sqrt(x: f32) -> f32 {
+    // SAFETY: that is the signature of C's `sqrtf`, which is defined for every argument.
     unsafe extern "C" {
         safe fn sqrtf(x: f32) -> f32;
     }

@@ -19,7 +19,7 @@ use femto::preconditioner::{Aggregates, Preconditioner, Room};
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use support::meshes::{Lcg, TetMesh, box_mesh, chain, jitter, noise, single_tet, two_pieces};
-use support::scenes::Setup;
+use support::scenes::{Setup, bar, bent};
 use wide::{f32x4, f32x8};
 
 const EPS: f64 = f32::EPSILON as f64;
@@ -283,22 +283,6 @@ fn filters(nodes: usize, seed: u64) -> Vec<Sym3<f32>> {
         }
     };
     (0..nodes).map(one).collect()
-}
-
-fn bar() -> Setup {
-    Setup::new(
-        "bar",
-        jitter(&box_mesh([1.0, 0.3, 0.2], [6, 2, 2]), 0.02, 5),
-    )
-}
-
-/// Bent and twisted, so that rotations differ and strains are there.
-fn bent(mut setup: Setup) -> Setup {
-    for x in &mut setup.x {
-        let [a, b, c] = *x;
-        *x = [a - 0.3 * a * b, 1.1 * b + 0.4 * a * a, c + 0.5 * a * b];
-    }
-    setup
 }
 
 #[test]

@@ -14,24 +14,8 @@ use femto::preconditioner::coarse::coarse_length;
 use femto::preconditioner::{Aggregates, Preconditioner};
 use femto::settings::Start;
 use femto::step::{Refusal, Scene};
-use support::meshes::{box_mesh, jitter};
-use support::scenes::Setup;
-
-fn bar() -> Setup {
-    Setup::new(
-        "bar",
-        jitter(&box_mesh([1.0, 0.3, 0.2], [6, 2, 2]), 0.02, 5),
-    )
-}
-
-/// Bent and twisted, so that rotations differ and strains are there.
-fn bent(mut setup: Setup) -> Setup {
-    for x in &mut setup.x {
-        let [a, b, c] = *x;
-        *x = [a - 0.3 * a * b, 1.1 * b + 0.4 * a * a, c + 0.5 * a * b];
-    }
-    setup
-}
+use support::meshes::box_mesh;
+use support::scenes::{Setup, bar, bent};
 
 /// Without aggregates it is block Jacobi, bit for bit.
 #[test]

@@ -152,7 +152,7 @@ impl<'a> Prepared<'a> {
         self.filter
     }
 
-    /// Whether an application costs little beside one of A (two-level: a third at most, from 3 k tetrahedra on).
+    /// Whether an application costs little beside one of A (two-level: a half at most, from 3 k tetrahedra on).
     pub(crate) fn is_cheap(&self) -> bool {
         !matches!(self.preconditioner, Preconditioner::Factored(_))
     }

@@ -233,6 +233,23 @@ pub fn released_newmark() -> Setup {
     setup
 }
 
+/// A free bar of irregular cells.
+pub fn bar() -> Setup {
+    Setup::new(
+        "bar",
+        jitter(&box_mesh([1.0, 0.3, 0.2], [6, 2, 2]), 0.02, 5),
+    )
+}
+
+/// Bent and twisted, so that rotations differ and strains are there.
+pub fn bent(mut setup: Setup) -> Setup {
+    for x in &mut setup.x {
+        let [a, b, c] = *x;
+        *x = [a - 0.3 * a * b, 1.1 * b + 0.4 * a * a, c + 0.5 * a * b];
+    }
+    setup
+}
+
 pub fn all() -> Vec<Setup> {
     vec![
         free_spin(),

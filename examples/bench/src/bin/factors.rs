@@ -7,9 +7,6 @@
 //! converged run of the same time step, root mean square over nodes, mean over steps, over the
 //! bounding box's diagonal. Time is that of a step, everything included, in units of one K apply on the same mesh.
 
-#[path = "../clock.rs"]
-#[allow(dead_code, reason = "the benchmark uses more of it")]
-mod clock;
 #[path = "../gmsh.rs"]
 mod gmsh;
 #[path = "../mesh.rs"]
@@ -19,7 +16,6 @@ mod mesh;
 use std::hint::black_box;
 use std::time::Duration;
 
-use clock::{Effort, Kernel};
 use femto::element::Factored;
 use femto::glam::Vec3;
 use femto::lane::{Lanes, Native};
@@ -31,6 +27,7 @@ use femto::rest::Rest;
 use femto::step::step;
 use femto::{Budget, Factor, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start};
 use femto_bake::{FactorOptions, Kind, Precision};
+use femto_bench::clock::{self, Effort, Kernel};
 
 struct Case {
     name: String,
