@@ -40,8 +40,9 @@
 //!
 //! so a budget of one iteration, or none, is as stable as an exact solve; a start from v(t) without W is
 //! not. For a free body linear momentum is exact at every budget. (Proof of (8): take v⁺ᵀ(Av⁺ − b) = 0 and
-//! expand. In f32 v⁺ ⟂ r holds to rounding in the first iterations; later, conjugate gradients lose
-//! some of it on ill-conditioned systems, and the tests ask that E never rises.)
+//! expand. In f32 v⁺ ⟂ r holds to rounding in the first iterations, and from rest always, by a line search at
+//! the end; elsewhere conjugate gradients lose some of it later on ill-conditioned systems, and the tests ask
+//! that E never rises.)
 //!
 //! (8) speaks of the rotations that the step has frozen. Fitting them anew afterwards feeds a body a little
 //! energy, of fourth order in the angle it turns in a step, which a solve has to take back; so keep v(t)

@@ -32,7 +32,8 @@ impl Budget {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Start {
-    /// From rest. Energy-stable, but damps motion until it has converged.
+    /// From rest, with a line search along the solution at the end, which costs one application. Energy-stable,
+    /// but damps motion until it has converged.
     Zero,
     /// From v(t), the choice of Dahl and Bargteil. Can raise the energy, without bound where bodies are stiff.
     Velocity,

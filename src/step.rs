@@ -26,7 +26,7 @@ use crate::cg::{self, System};
 use crate::constraint::{ContactStep, Decisions, land, pin, touch};
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
-use crate::math::{power_of_two_below, select, sqrt};
+use crate::math::{power_of_two_below, ratio_or_zero, select, sqrt};
 use crate::operator::{Fit, Operator, fit_rotations, rotate};
 use crate::preconditioner::{Preconditioner, Prepared, Room};
 pub use crate::report::{Refusal, StepReport};
@@ -34,7 +34,7 @@ use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translations, fill_space, keep_momentum};
-use crate::vector::{add_scaled, copy, dot, sym_mul};
+use crate::vector::{add_scaled, copy, dot, dot_pair, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
 pub(crate) struct Units {
@@ -281,6 +281,13 @@ pub fn step<R: Lanes, L: Layout>(
         [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
     );
     space.project(work.v, work.r);
+    if settings.start == Start::Zero {
+        search_along(
+            &system,
+            work.filter,
+            [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
+        );
+    }
     let residual_after = filtered_norm(work.filter, work.r);
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.
@@ -429,6 +436,17 @@ fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
         sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
     }
     sum
+}
+
+/// Line search along the solution itself: P v ⟂ r, so that (8) of the front page holds from rest, too, where
+/// conjugate gradients in f32 have lost their directions' conjugacy. (A start with W has v(t) to hold on to.)
+fn search_along(system: &impl System, filter: &[Sym3<f32>], [v, r, p, q]: [&mut [[f32; 3]]; 4]) {
+    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(filter) {
+        *p = sym_mul(filter, v);
+    }
+    system.apply(p, q);
+    let (rp, pap) = dot_pair(r, p, q);
+    crate::vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
 }
 
 /// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.

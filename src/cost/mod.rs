@@ -62,7 +62,7 @@ type Table = [[i32; SIZES]; ROWS.len()];
 
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 55] = [
+pub const ROWS: [(&str, [bool; SIZES]); 56] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -79,6 +79,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 55] = [
     ("forces", NODES),
     ("start from velocity", ALL),
     ("start from velocity and force", ALL),
+    ("start from rest", ALL),
     ("a past velocity", NODES),
     ("rotations", NODES),
     ("held by pins", NODES),
@@ -127,7 +128,7 @@ const ALL: [bool; SIZES] = [true, true, true, true, true, false];
 const FACTOR: [bool; SIZES] = [true; SIZES];
 
 /// The row where those of the preconditioners begin, and how many each has.
-const OWN: (usize, usize) = (28, 3);
+const OWN: (usize, usize) = (29, 3);
 
 /// How often a step pays each of [`ROWS`].
 #[must_use]
@@ -158,6 +159,7 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         u64::from(load.forces),
         is(Start::Velocity),
         is(Start::VelocityForce),
+        is(Start::Zero),
         load.start.history() as u64,
         u64::from(matches!(load.start, Start::Rigid(_))),
         u64::from(load.pins > 0),

@@ -19,6 +19,7 @@ pub(super) const CORTEX_M4F: Table = [
     [439, 450, 0, 0, 0, 0],                 // forces
     [2210, 1797, 72, 25471, 12059, 0],      // start from velocity
     [1922, 1829, 72, 25471, 12059, 0],      // start from velocity and force
+    [1922, 1829, 72, 25471, 12059, 0],      // start from rest
     [-2299, -108, -1, 0, 0, 0],             // a past velocity
     [-7273, -45, -9, 0, 0, 0],              // rotations
     [193, -3, -1, 0, 0, 0],                 // held by pins
@@ -77,6 +78,7 @@ pub(super) const X86_64: Table = [
     [811, 339, 7, 0, 0, 0],                  // forces
     [5086, 1181, 436, 10637, 11039, 0],      // start from velocity
     [5087, 1188, 471, 10654, 11039, 0],      // start from velocity and force
+    [5087, 1188, 471, 10654, 11039, 0],      // start from rest
     [-1913, -94, 3, 0, 0, 0],                // a past velocity
     [-4649, -102, -425, 0, 0, 0],            // rotations
     [203, -3, 0, 0, 0, 0],                   // held by pins
@@ -135,6 +137,7 @@ pub(super) const AARCH64: Table = [
     [1353, 144, 150, 0, 0, 0],              // forces
     [7025, 551, 919, 8615, 9463, 0],        // start from velocity
     [6960, 555, 958, 8631, 9463, 0],        // start from velocity and force
+    [6960, 555, 958, 8631, 9463, 0],        // start from rest
     [-1058, -72, 11, 0, 0, 0],              // a past velocity
     [-2744, 26, -485, 0, 0, 0],             // rotations
     [160, -2, 1, 0, 0, 0],                  // held by pins
