@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod factors;
+pub mod ground;
 pub mod meshes;
 pub mod reference;
 pub mod scenes;

@@ -1,0 +1,122 @@
+//! The oracle on frictionless ground y ≥ 0: who touches, and what the solve may do about it, as the module
+//! `constraint` of the crate says, in f64 and with a direct solve. Since the normal is an axis, the filter is a
+//! choice of coordinates.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::reference::Reference;
+
+/// An oracle on the ground, with the velocities that W holds besides v(t).
+pub struct Grounded {
+    pub body: Reference,
+    /// A node touches within this height, metres.
+    margin: f64,
+    /// v(t−h), …
+    history: Vec<DVector<f64>>,
+}
+
+#[allow(non_snake_case)]
+impl Grounded {
+    /// W holds `vectors` ≥ 1 velocities.
+    pub fn new(body: Reference, vectors: usize, margin: f64) -> Self {
+        let history = vec![DVector::zeros(body.x.len()); vectors - 1];
+        Self {
+            body,
+            margin,
+            history,
+        }
+    }
+
+    pub fn step(&mut self) {
+        let body = &self.body;
+        let (h, mass) = (body.h, body.mass());
+        let (A, b) = body.system(&body.rotations(&body.x));
+        let touches: Vec<bool> = (0..body.x.len())
+            .map(|dof| dof % 3 == 1 && self.touches(dof, &A, &b, &mass))
+            .collect();
+        let free = |u: &DVector<f64>| {
+            DVector::from_fn(u.len(), |dof, _| if touches[dof] { 0.0 } else { u[dof] })
+        };
+
+        // The gap closes by that part τ of itself which the Galerkin solution over W leaves to it.
+        let mut W: Vec<DVector<f64>> = Vec::new();
+        let flies = !touches.contains(&true);
+        let axes = (0..3)
+            .map(|axis| DVector::from_fn(b.len(), |dof, _| f64::from(u8::from(dof % 3 == axis))));
+        let past = [&body.v].into_iter().chain(&self.history).map(&free);
+        for mut w in axes.filter(|_| flies).chain(past) {
+            let before = w.norm_squared();
+            for w_j in W.iter().chain(&W) {
+                w -= w_j * (&A * w_j).dot(&w);
+            }
+            if w.norm_squared() > 1e-12 * before {
+                let size = (&A * &w).dot(&w).sqrt();
+                W.push(w / size);
+            }
+        }
+        let mut r = b.clone();
+        for w in &W {
+            r -= &A * w * w.dot(&b);
+        }
+        let gap = DVector::from_fn(b.len(), |dof, _| {
+            if touches[dof] {
+                -body.x[dof].max(0.0) / h
+            } else {
+                0.0
+            }
+        });
+        let mut g = gap.clone();
+        for w in &W {
+            g -= w * (&A * w).dot(&gap);
+        }
+        let square = (&A * &g).dot(&g);
+        let tau = if square > 0.0 {
+            (g.dot(&r) / square).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+
+        let held = gap * tau;
+        let kept: Vec<usize> = (0..b.len()).filter(|&dof| !touches[dof]).collect();
+        let right = (&b - &A * &held).select_rows(&kept);
+        let inner = A.select_rows(&kept).select_columns(&kept);
+        let solution = inner
+            .cholesky()
+            .expect("A is positive definite")
+            .solve(&right);
+        let mut v = held;
+        for (&dof, value) in kept.iter().zip(&solution) {
+            v[dof] = *value;
+        }
+        self.history.rotate_right(1);
+        if let Some(latest) = self.history.first_mut() {
+            *latest = self.body.v.clone();
+        }
+        let old = self.body.x.clone();
+        let body = &mut self.body;
+        body.x += &v * h;
+        for dof in (1..v.len()).step_by(3) {
+            let enters = body.x[dof] < 0.0;
+            let leaves = old[dof] < -self.margin && v[dof] > 0.0;
+            if leaves || (enters && v[dof] < 0.0) {
+                v[dof] = 0.0;
+            }
+            if enters {
+                body.x[dof] = 0.0;
+            }
+        }
+        body.v = v;
+    }
+
+    /// Whether the node whose height is coordinate `dof` is pressed on the ground, or flies into it.
+    fn touches(&self, dof: usize, A: &DMatrix<f64>, b: &DVector<f64>, mass: &DVector<f64>) -> bool {
+        let (body, first) = (&self.body, dof - 1);
+        let a = (0..3).map(|k| A[(first + k, first + k)]).sum::<f64>() / 3.0;
+        let (d, v, h) = (body.x[dof], body.v[dof], body.h);
+        let w = v + (b[dof] - mass[dof] * v) / a;
+        let approach = d + h * v;
+        let fall = approach + h * h * body.gravity[1];
+        let pressed = -(w + d / h) > 0.0 && (d <= self.margin || fall < 0.0);
+        pressed || (d > self.margin && approach < 0.0)
+    }
+}
