@@ -9,7 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::{f32x4, f32x8};
 
-use crate::math;
+use crate::math::{self, Mask};
 
 /// Tetrahedra in one storage block.
 pub const BLOCK: usize = 8;
@@ -61,8 +61,22 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// Magnitude.
     fn abs(self) -> Self;
+    /// A decision in every lane.
+    type Mask: Copy;
+    /// Where `self < bound`; not where either is NaN.
+    fn below(self, bound: Self) -> Self::Mask;
+    /// Lane by lane, `yes` where the mask holds, else `no`.
+    fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Lane by lane, `(b, a)` where the mask holds, else `(a, b)`.
+    #[inline(always)]
+    fn swap(mask: Self::Mask, a: Self, b: Self) -> (Self, Self) {
+        (Self::pick(mask, b, a), Self::pick(mask, a, b))
+    }
     /// Lane by lane, `yes` where `self < bound`, else `no` (also where either is NaN).
-    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self;
+    #[inline(always)]
+    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
+        Self::pick(self.below(bound), yes, no)
+    }
 }
 
 /// Access to blocks and to nodes, `WIDTH` tetrahedra at a time.
@@ -98,9 +112,18 @@ impl Real for f32 {
     fn abs(self) -> Self {
         f32::abs(self)
     }
+    type Mask = Mask;
     #[inline(always)]
-    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
-        math::select(self < bound, yes, no)
+    fn below(self, bound: Self) -> Mask {
+        Mask::of(self < bound)
+    }
+    #[inline(always)]
+    fn pick(mask: Mask, yes: Self, no: Self) -> Self {
+        mask.pick(yes, no)
+    }
+    #[inline(always)]
+    fn swap(mask: Mask, a: Self, b: Self) -> (Self, Self) {
+        mask.swap(a, b)
     }
 }
 
@@ -118,9 +141,14 @@ impl Real for f64 {
     fn abs(self) -> Self {
         f64::abs(self)
     }
+    type Mask = bool;
     #[inline(always)]
-    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
-        if self < bound { yes } else { no }
+    fn below(self, bound: Self) -> bool {
+        self < bound
+    }
+    #[inline(always)]
+    fn pick(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
     }
 }
 
@@ -249,9 +277,14 @@ impl Real for f32x4 {
     fn abs(self) -> Self {
         self.abs()
     }
+    type Mask = Self;
     #[inline(always)]
-    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
-        self.simd_lt(bound).select(yes, no)
+    fn below(self, bound: Self) -> Self {
+        self.simd_lt(bound)
+    }
+    #[inline(always)]
+    fn pick(mask: Self, yes: Self, no: Self) -> Self {
+        mask.select(yes, no)
     }
 }
 
@@ -299,9 +332,14 @@ impl Real for f32x8 {
     fn abs(self) -> Self {
         self.abs()
     }
+    type Mask = Self;
     #[inline(always)]
-    fn where_below(self, bound: Self, yes: Self, no: Self) -> Self {
-        self.simd_lt(bound).select(yes, no)
+    fn below(self, bound: Self) -> Self {
+        self.simd_lt(bound)
+    }
+    #[inline(always)]
+    fn pick(mask: Self, yes: Self, no: Self) -> Self {
+        mask.select(yes, no)
     }
 }
 

@@ -78,6 +78,17 @@ impl Mask {
         f32::from_bits((yes.to_bits() & self.0) | (no.to_bits() & !self.0))
     }
 
+    /// `(b, a)` if the condition held, else `(a, b)`.
+    #[inline]
+    #[must_use]
+    pub fn swap(self, a: f32, b: f32) -> (f32, f32) {
+        let different = (a.to_bits() ^ b.to_bits()) & self.0;
+        (
+            f32::from_bits(a.to_bits() ^ different),
+            f32::from_bits(b.to_bits() ^ different),
+        )
+    }
+
     /// `x` if the condition held, else 0, also where `x` is NaN.
     #[inline]
     #[must_use]

@@ -66,10 +66,10 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     let size = f
         .iter()
         .flatten()
-        .fold(R::splat(0.0), |sum, x| sum + (*x * sixteenth).abs());
-    let least = R::splat(f32::MIN_POSITIVE * 16.0);
-    let scale = R::splat(0.0625) / size.where_below(least, R::splat(1.0), size);
-    let scale = size.where_below(least, R::splat(0.0), scale);
+        .fold(R::splat(0.0), |sum, x| sum + x.abs() * sixteenth);
+    let none = size.below(R::splat(f32::MIN_POSITIVE * 16.0));
+    let scale = sixteenth / R::pick(none, R::splat(1.0), size);
+    let scale = R::pick(none, R::splat(0.0), scale);
     each3(*f, |row| scale3(&row, scale))
 }
 
@@ -95,7 +95,8 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
 #[inline(always)]
 fn usable<R: Real>(q: &Quaternion<R>, fallback: &Quaternion<R>) -> Quaternion<R> {
     let off = (square(q) - R::splat(1.0)).abs();
-    core::array::from_fn(|k| off.where_below(R::splat(0.5), q[k], fallback[k]))
+    let near = off.below(R::splat(0.5));
+    core::array::from_fn(|k| R::pick(near, q[k], fallback[k]))
 }
 
 #[inline(always)]
@@ -124,12 +125,13 @@ fn rotate_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
 #[inline(always)]
 fn direction<R: Real>(a: R, d: R) -> (R, R) {
-    let (zero, one, tiny) = (R::splat(0.0), R::splat(1.0), R::splat(1e-30));
+    let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let square = a * a + d * d;
-    let inverse = one / square.where_below(tiny, one, square).sqrt();
+    let none = square.below(R::splat(1e-30));
+    let inverse = one / R::pick(none, one, square).sqrt();
     (
-        square.where_below(tiny, one, a * inverse),
-        square.where_below(tiny, zero, d * inverse),
+        R::pick(none, one, a * inverse),
+        R::pick(none, zero, d * inverse),
     )
 }
 
@@ -137,11 +139,7 @@ fn direction<R: Real>(a: R, d: R) -> (R, R) {
 /// formula are each exact on one half of the circle.
 #[inline(always)]
 fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
-    let (zero, one) = (R::splat(0.0), R::splat(1.0));
-    (
-        c.where_below(zero, s, one + c),
-        c.where_below(zero, one - c, s),
-    )
+    R::swap(c.below(R::splat(0.0)), R::splat(1.0) + c.abs(), s)
 }
 
 /// q (w, s e_AXIS): a turn about a base axis.
