@@ -86,7 +86,8 @@ impl<R: Lanes> Edges<R> {
             let [apex, axis, next] = if R::WIDTH == 1 {
                 [zero3(); 3]
             } else {
-                [APEX, AXIS, RING].map(|corner| R::gather(u, &nodes[corner], at))
+                let corner = |corner: usize| R::gather(u, &nodes[corner], at);
+                [APEX, AXIS, RING].map(|node| corner(node).unwrap_or(zero3()))
             };
             Self {
                 apex,
@@ -96,17 +97,19 @@ impl<R: Lanes> Edges<R> {
         })
     }
 
-    /// u_j − u_0 for j = 1, 2, 3 of the next tetrahedra.
+    /// u_j − u_0 for j = 1, 2, 3 of the next tetrahedra. `None` where there is no such node.
     #[inline(always)]
-    pub fn advance(&mut self, u: &[[f32; 3]], nodes: &Nodes, at: usize) -> [[R; 3]; 3] {
+    pub fn advance(&mut self, u: &[[f32; 3]], nodes: &Nodes, at: usize) -> Option<[[R; 3]; 3]> {
+        let corner = |corner: usize| R::gather(u, &nodes[corner], at);
         if R::WIDTH == 1 {
-            let apex = R::gather(u, &nodes[APEX], at);
-            let edge = |corner: usize| sub3(&R::gather(u, &nodes[corner], at), &apex);
-            return [edge(AXIS), edge(RING), edge(NEXT)];
+            let apex = corner(APEX)?;
+            // The ring's last: what is added there need not be checked again.
+            let [axis, next, ring] = [corner(AXIS)?, corner(NEXT)?, corner(RING)?];
+            return Some([sub3(&axis, &apex), sub3(&ring, &apex), sub3(&next, &apex)]);
         }
         let ring = self.next;
-        self.next = sub3(&R::gather(u, &nodes[NEXT], at), &self.apex);
-        [self.axis, ring, self.next]
+        self.next = sub3(&corner(NEXT)?, &self.apex);
+        Some([self.axis, ring, self.next])
     }
 }
 

@@ -93,8 +93,9 @@ pub trait Lanes: Real {
     fn load(block: &[f32; BLOCK], at: usize) -> Self;
     /// Writes lanes `at .. at + WIDTH`.
     fn store(self, block: &mut [f32; BLOCK], at: usize);
-    /// The vectors of nodes `nodes[at .. at + WIDTH]`, `[axis]`.
-    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3];
+    /// The vectors of nodes `nodes[at .. at + WIDTH]`, `[axis]`. Where there is no such node: none in one lane, zeros
+    /// in one of several.
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> Option<[Self; 3]>;
     /// Adds `values` to the vectors of nodes `nodes[at .. at + WIDTH]`, one lane after the other.
     fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize);
 }
@@ -177,8 +178,8 @@ impl Lanes for f32 {
         block[at % BLOCK] = self;
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3] {
-        node(vectors, nodes[at % BLOCK])
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> Option<[Self; 3]> {
+        vectors.get(nodes[at % BLOCK] as usize).copied()
     }
     #[inline(always)]
     fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
@@ -307,8 +308,8 @@ impl Lanes for f32x4 {
         side.copy_from_slice(self.as_array());
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> [Self; 3] {
-        gather4(vectors, half(nodes, at))
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> Option<[Self; 3]> {
+        Some(gather4(vectors, half(nodes, at)))
     }
     #[inline(always)]
     fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
@@ -360,10 +361,10 @@ impl Lanes for f32x8 {
         *block = self.to_array();
     }
     #[inline(always)]
-    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], _at: usize) -> [Self; 3] {
+    fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], _at: usize) -> Option<[Self; 3]> {
         let [x, y, z] = gather4(vectors, half(nodes, 0));
         let [u, v, w] = gather4(vectors, half(nodes, 4));
-        [join(x, u), join(y, v), join(z, w)]
+        Some([join(x, u), join(y, v), join(z, w)])
     }
     #[inline(always)]
     fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], _at: usize) {

@@ -4,7 +4,7 @@
 //! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ), and a diagonal Γ
 //! from sliding friction.
 
-use crate::algebra::{each3, each4, scale3};
+use crate::algebra::{each3, each4, scale3, zero3};
 use crate::element::{Bite, Layout, Sym3, deformation, gradients};
 use crate::fan::{Edges, Nodes, Sums, fans, lanes, last};
 use crate::lane::{BLOCK, Lanes};
@@ -65,6 +65,11 @@ impl<L: Layout> Operator<'_, L> {
 
     /// `out` += c_K K u
     pub fn add_stiffness<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
+        // Of one length, so that a node number is checked once.
+        let nodes = u.len().min(out.len());
+        let (Some(u), Some(out)) = (u.get(..nodes), out.get_mut(..nodes)) else {
+            return;
+        };
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
         for fan in fans(self.rest.blocks) {
@@ -73,7 +78,9 @@ impl<L: Layout> Operator<'_, L> {
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
                 let bites = edges.as_mut().iter_mut().zip(sums.as_mut());
                 for ((edges, sums), at) in bites.zip(lanes::<R>()) {
-                    let edges = edges.advance(u, &tet.corners, at);
+                    let Some(edges) = edges.advance(u, &tet.corners, at) else {
+                        continue;
+                    };
                     let f = L::product(tet, rotated, at, scale, &edges);
                     sums.add_balanced(&f, out, &tet.corners, at);
                 }
@@ -158,12 +165,16 @@ pub fn rotate<R: Lanes, L: Layout>(
             let edges = edges.as_mut().iter_mut().zip(rest_edges.as_mut());
             let bites = edges.zip(sums.as_mut());
             for (((edges, rest_edges), sums), at) in bites.zip(lanes::<R>()) {
+                let Some(edges) = edges.advance(x, &tet.corners, at) else {
+                    continue;
+                };
+                let rest_edges = rest_edges.advance(rest.nodes, &tet.corners, at);
                 let bite = Bite {
                     tet,
                     stiffness,
                     at,
-                    edges: edges.advance(x, &tet.corners, at),
-                    rest_edges: rest_edges.advance(rest.nodes, &tet.corners, at),
+                    edges,
+                    rest_edges: rest_edges.unwrap_or([zero3(); 3]),
                 };
                 let q = polar::matrix(&rotation.load::<R>(at));
                 let f = L::rotate(&bite, &q, unit, rotated);
@@ -199,7 +210,9 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let edges = edges.advance(x, &tet.corners, at);
+                let Some(edges) = edges.advance(x, &tet.corners, at) else {
+                    continue;
+                };
                 let f = deformation(&edges, &gradients::<R>(tet, at));
                 let q = match fit {
                     Fit::Warm(sweeps) => polar::sweeps(&rotation.load::<R>(at), &f, sweeps),
