@@ -1,7 +1,8 @@
 //! Sums and updates over node vectors.
 //!
 //! Sums run in one order for every lane width: eight running sums over the flat array, folded in a
-//! fixed tree. Eight sums keep rounding low, and let the compiler use whatever lanes it has.
+//! fixed tree. Eight sums keep rounding low, and let the compiler use whatever lanes it has. Passes over numbers are
+//! taken eight by eight, too, and linked once.
 
 use crate::element::Sym3;
 
@@ -21,7 +22,7 @@ pub fn dot(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
 }
 
 /// [`dot`] of plain numbers.
-#[inline]
+#[inline(never)]
 #[must_use]
 pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
     let (a, a_rest) = a.as_chunks::<SUMS>();
@@ -39,7 +40,7 @@ pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
 }
 
 /// (a · b, b · c) in one pass
-#[inline]
+#[inline(never)]
 #[must_use]
 pub fn dot_pair(a: &[[f32; 3]], b: &[[f32; 3]], c: &[[f32; 3]]) -> (f32, f32) {
     let (a, a_rest) = a.as_flattened().as_chunks::<SUMS>();
@@ -60,14 +61,26 @@ pub fn dot_pair(a: &[[f32; 3]], b: &[[f32; 3]], c: &[[f32; 3]]) -> (f32, f32) {
     (fold(ab), fold(bc))
 }
 
-/// v += a p and r −= a q in one pass
-#[inline]
-pub fn advance(v: &mut [[f32; 3]], r: &mut [[f32; 3]], a: f32, p: &[[f32; 3]], q: &[[f32; 3]]) {
-    let out = v.as_flattened_mut().iter_mut().zip(r.as_flattened_mut());
-    for ((v, r), (p, q)) in out.zip(p.as_flattened().iter().zip(q.as_flattened())) {
-        *v += a * p;
-        *r -= a * q;
+/// `change` of each number of `y` and its partner in `x`.
+#[inline(always)]
+fn pairs(y: &mut [[f32; 3]], x: &[[f32; 3]], change: impl Fn(&mut f32, f32)) {
+    let (y, y_rest) = y.as_flattened_mut().as_chunks_mut::<SUMS>();
+    let (x, x_rest) = x.as_flattened().as_chunks::<SUMS>();
+    for (y, x) in y.iter_mut().zip(x) {
+        for k in 0..SUMS {
+            change(&mut y[k], x[k]);
+        }
     }
+    for (y, x) in y_rest.iter_mut().zip(x_rest) {
+        change(y, *x);
+    }
+}
+
+/// v += a p and r −= a q
+#[inline(always)]
+pub fn advance(v: &mut [[f32; 3]], r: &mut [[f32; 3]], a: f32, p: &[[f32; 3]], q: &[[f32; 3]]) {
+    add_scaled(v, a, p);
+    add_scaled(r, -a, q);
 }
 
 /// y = x, as far as both go: a length that differs is no panic.
@@ -79,19 +92,15 @@ pub fn copy<T: Copy>(y: &mut [T], x: &[T]) {
 }
 
 /// y += a x
-#[inline]
+#[inline(never)]
 pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {
-    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
-        *y += a * x;
-    }
+    pairs(y, x, |y, x| *y += a * x);
 }
 
 /// y = x + b y
-#[inline]
+#[inline(never)]
 pub fn scale_and_add(y: &mut [[f32; 3]], b: f32, x: &[[f32; 3]]) {
-    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
-        *y = x + b * *y;
-    }
+    pairs(y, x, |y, x| *y = x + b * *y);
 }
 
 /// S v
