@@ -13,8 +13,9 @@
 //! last ring node, axis and apex; each lane by lane.
 
 use crate::algebra::{add3, sub3, zero3};
+use crate::element::Layout;
 use crate::lane::{BLOCK, Lanes};
-use crate::rest::TetBlock;
+use crate::rest::{Rest, TetBlock};
 
 const APEX: usize = 0;
 const AXIS: usize = 1;
@@ -26,14 +27,30 @@ pub(crate) type Nodes = [[u32; BLOCK]; 4];
 
 /// The blocks, eight fans at a time. None is empty.
 #[inline(always)]
-pub(crate) fn fans(blocks: &[TetBlock]) -> impl Iterator<Item = &[TetBlock]> {
-    let mut left = blocks;
+pub(crate) fn fans<'a, L: Layout>(rest: &Rest<'a, L>) -> impl Iterator<Item = &'a [TetBlock]> {
+    let (mut left, mut known) = (rest.blocks, rest.fans);
     core::iter::from_fn(move || {
+        let length = match known.first() {
+            Some(&length) => length.max(1) as usize,
+            None => length(left),
+        };
+        known = known.get(length..).unwrap_or_default();
         // No more than are left, but for none of none.
-        let (fan, others) = left.split_at_checked(length(left))?;
+        let (fan, others) = left.split_at_checked(length)?;
         left = others;
         Some(fan)
     })
+}
+
+/// Writes what [`Rest::fans`] says.
+pub(crate) fn find(blocks: &[TetBlock], out: &mut [u32]) {
+    let (mut left, mut out) = (blocks, out);
+    while let Some((first, _)) = out.split_first_mut() {
+        let length = length(left).max(1);
+        *first = u32::try_from(length).unwrap_or(1);
+        left = left.get(length..).unwrap_or_default();
+        out = out.get_mut(length..).unwrap_or_default();
+    }
 }
 
 /// Blocks of the first eight fans; 1 where there is none.

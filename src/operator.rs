@@ -72,7 +72,7 @@ impl<L: Layout> Operator<'_, L> {
         };
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
-        for fan in fans(self.rest.blocks) {
+        for fan in fans(&self.rest) {
             let mut edges = Edges::<R>::open(u, fan);
             let mut sums = Sums::<R>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
@@ -96,7 +96,7 @@ impl<L: Layout> Operator<'_, L> {
         }
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
-        for fan in fans(self.rest.blocks) {
+        for fan in fans(&self.rest) {
             let mut sums = Sums::<R>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
                 for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
@@ -118,7 +118,7 @@ impl<L: Layout> Operator<'_, L> {
         let (rows, _) = out.as_flattened_mut().as_chunks_mut();
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
-        for fan in fans(self.rest.blocks) {
+        for fan in fans(&self.rest) {
             let mut upper = Sums::<R>::open();
             let mut lower = Sums::<R>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
@@ -156,7 +156,7 @@ pub fn rotate<R: Lanes, L: Layout>(
 ) {
     let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
     let mut blocks = rest.stiffness.iter().zip(rotations).zip(rotated);
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         // Dead code where the layout does not ask for them.
         let mut rest_edges = Edges::<R>::open(rest.nodes, fan);
@@ -206,7 +206,7 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
     rotations: &mut [RotationBlock],
 ) {
     let mut rotations = rotations.iter_mut();
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {

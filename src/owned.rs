@@ -63,6 +63,7 @@ impl<L: Layout> OwnedRest<L> {
             masses: &self.masses,
             blocks: &self.blocks,
             stiffness: &self.stiffness,
+            fans: &[],
             header: self.header,
         }
     }
@@ -158,6 +159,7 @@ pub struct OwnedWorkspace<L: Layout = Factored> {
     filter: Vec<Sym3<f32>>,
     blocks: Vec<Sym3<f32>>,
     inertia: Vec<f32>,
+    fans: Vec<u32>,
     vectors: [Vec<[f32; 3]>; 4],
     space: Vec<[f32; 3]>,
     products: Vec<[f32; 3]>,
@@ -176,6 +178,7 @@ impl<L: Layout> OwnedWorkspace<L> {
             filter: vec![[0.0; 6]; nodes],
             blocks: vec![[0.0; 6]; nodes],
             inertia: vec![0.0; nodes],
+            fans: vec![0; rest.blocks.len()],
             vectors: core::array::from_fn(|_| vec![[0.0; 3]; nodes]),
             products: space.clone(),
             space,
@@ -196,6 +199,7 @@ impl<L: Layout> OwnedWorkspace<L> {
             filter: &mut self.filter,
             blocks: &mut self.blocks,
             inertia: &mut self.inertia,
+            fans: &mut self.fans,
             v,
             r,
             p,

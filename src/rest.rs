@@ -80,6 +80,9 @@ pub struct Rest<'a, L: Layout = Factored> {
     pub blocks: &'a [TetBlock],
     /// What the layout stores beside them (nothing, when factored).
     pub stiffness: &'a [L::Stiffness],
+    /// At the first block of every eight fans, how many blocks they have; or empty. A step finds it once, for all
+    /// its passes.
+    pub fans: &'a [u32],
     /// Counts, damping and units.
     pub header: Header,
 }
@@ -319,6 +322,7 @@ impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCK
             masses: &self.masses,
             blocks: &self.blocks,
             stiffness: &self.stiffness,
+            fans: &[],
             header: self.header,
         }
     }

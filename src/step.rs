@@ -25,6 +25,7 @@ use crate::body::{StateMut, WorkspaceMut};
 use crate::cg::{self, System};
 use crate::constraint::{ContactStep, Decisions, land, pin, touch};
 use crate::element::{Layout, Sym3};
+use crate::fan;
 use crate::lane::Lanes;
 use crate::math::{power_of_two_below, ratio_or_zero, select, sqrt};
 use crate::operator::{Fit, Operator, fit_rotations, rotate};
@@ -127,6 +128,21 @@ pub fn step<R: Lanes, L: Layout>(
     if let Err(refusal) = check(rest, state, work, scene, settings) {
         return StepReport::refused(refusal);
     }
+    let fans = core::mem::take(&mut work.fans);
+    fan::find(rest.blocks, fans);
+    let rest = Rest { fans, ..*rest };
+    let report = checked_step::<R, L>(&rest, state, work, scene, settings);
+    work.fans = fans;
+    report
+}
+
+fn checked_step<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    state: &mut StateMut<'_>,
+    work: &mut WorkspaceMut<'_, L>,
+    scene: &Scene<'_>,
+    settings: &Settings,
+) -> StepReport {
     let units = Units::new(rest, settings);
     let nodes = rest.nodes.len();
 
@@ -340,6 +356,7 @@ fn check<L: Layout>(
         rest.stiffness.len(),
         state.rotations.len(),
         work.rotated.len(),
+        work.fans.len(),
     ];
     if nodes == 0
         || node_lists

@@ -10,6 +10,7 @@ pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) filter: &'a mut [Sym3<f32>],
     pub(crate) blocks: &'a mut [Sym3<f32>],
     pub(crate) inertia: &'a mut [f32],
+    pub(crate) fans: &'a mut [u32],
     pub(crate) v: &'a mut [[f32; 3]],
     pub(crate) r: &'a mut [[f32; 3]],
     pub(crate) p: &'a mut [[f32; 3]],
@@ -34,6 +35,7 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
         let (mut left, length) = (numbers, vectors * nodes);
         let (filter, blocks) = (take(&mut left, nodes), take(&mut left, nodes));
         let inertia = take::<1>(&mut left, nodes).as_flattened_mut();
+        let fans = take::<1>(&mut left, rest.blocks.len()).as_flattened_mut();
         let [v, r, p, q] = core::array::from_fn(|_| take(&mut left, nodes));
         let [vectors, products] = core::array::from_fn(|_| take(&mut left, length));
         Self {
@@ -41,6 +43,7 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
             filter,
             blocks,
             inertia,
+            fans: bytemuck::cast_slice_mut(fans),
             v,
             r,
             p,
@@ -70,6 +73,7 @@ impl<L: Layout> WorkspaceMut<'_, L> {
             filter: self.filter.get_mut(..nodes).unwrap_or_default(),
             blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
             inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
+            fans: self.fans.get_mut(..blocks).unwrap_or_default(),
             v: self.v.get_mut(..nodes).unwrap_or_default(),
             r: self.r.get_mut(..nodes).unwrap_or_default(),
             p: self.p.get_mut(..nodes).unwrap_or_default(),
@@ -83,15 +87,15 @@ impl<L: Layout> WorkspaceMut<'_, L> {
 
 /// Numbers of a workspace besides the rotated stiffness, with so many stored vectors of W.
 #[must_use]
-pub const fn workspace_numbers(nodes: usize, vectors: usize) -> usize {
-    nodes * (3 * (4 + 2 * vectors) + 2 * 6 + 1)
+pub const fn workspace_numbers(nodes: usize, blocks: usize, vectors: usize) -> usize {
+    nodes * (3 * (4 + 2 * vectors) + 2 * 6 + 1) + blocks
 }
 
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors));
 /// a two-level preconditioner takes [`coarse_length`](crate::preconditioner::coarse::coarse_length) f32 more.
 #[must_use]
 pub const fn workspace_bytes<L: Layout>(nodes: usize, blocks: usize, vectors: usize) -> usize {
-    workspace_numbers(nodes, vectors) * size_of::<f32>() + blocks * size_of::<L::Rotated>()
+    workspace_numbers(nodes, blocks, vectors) * size_of::<f32>() + blocks * size_of::<L::Rotated>()
 }
 
 /// Scratch for bodies of up to `NODES` nodes and `BLOCKS` blocks, `VECTORS` stored vectors of W, and `COARSE`
@@ -108,6 +112,7 @@ pub struct Workspace<
     filter: [Sym3<f32>; NODES],
     blocks: [Sym3<f32>; NODES],
     inertia: [f32; NODES],
+    fans: [u32; BLOCKS],
     vectors: [[[f32; 3]; NODES]; 4],
     space: [[[f32; 3]; NODES]; VECTORS],
     products: [[[f32; 3]; NODES]; VECTORS],
@@ -125,6 +130,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, c
             filter: [[0.0; 6]; NODES],
             blocks: [[0.0; 6]; NODES],
             inertia: [0.0; NODES],
+            fans: [0; BLOCKS],
             vectors: [[[0.0; 3]; NODES]; 4],
             space: [[[0.0; 3]; NODES]; VECTORS],
             products: [[[0.0; 3]; NODES]; VECTORS],
@@ -143,6 +149,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, c
             filter: &mut self.filter,
             blocks: &mut self.blocks,
             inertia: &mut self.inertia,
+            fans: &mut self.fans,
             v,
             r,
             p,

@@ -373,6 +373,7 @@ fn memory_of_the_callers_gives_the_same_bits() {
         masses: &masses,
         blocks: &tets,
         stiffness: &stiffness,
+        fans: &[],
         header,
     };
 
@@ -386,7 +387,7 @@ fn memory_of_the_callers_gives_the_same_bits() {
     let mut state = OwnedState::new(&rest, settings.start);
     let vectors = settings.start.vectors();
     let mut rotated = vec![Factored::ZERO_ROTATED; count];
-    let mut numbers = vec![0.0; workspace_numbers(nodes, vectors)];
+    let mut numbers = vec![0.0; workspace_numbers(nodes, count, vectors)];
     assert_eq!(
         size_of_val(&*rotated) + size_of_val(&*numbers),
         workspace_bytes::<Factored>(nodes, count, vectors)

@@ -206,6 +206,7 @@ impl<'a> Asset<'a> {
             masses: cast(masses, Section::Masses)?,
             blocks: cast(blocks, Section::Blocks)?,
             stiffness: no_stiffness(blocks.len() / size_of::<TetBlock>()),
+            fans: &[],
             header: header.rest,
         };
         let pins: &[Pin] = cast(pins, Section::Pins)?;

@@ -141,7 +141,7 @@ impl Load {
     pub fn of<L: Layout>(rest: &Rest<'_, L>, scene: &Scene<'_>, settings: &Settings<'_>) -> Self {
         let preconditioner = settings.preconditioner;
         Self {
-            fans: fan::fans(rest.blocks).count(),
+            fans: fan::fans(rest).count(),
             start: settings.start,
             preconditioner: preconditioner.into(),
             entries: match preconditioner {

@@ -27,7 +27,7 @@ pub(super) fn average_rotations<R: Lanes, L: Layout>(
     out.fill([0.0; 6]);
     let (rows, _) = out.as_flattened_mut().as_chunks_mut();
     let mut rotations = rotations.iter();
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let (mut upper, mut lower) = (Sums::<R>::open(), Sums::<R>::open());
         for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
             let [first, second] = two_rows(&tet.corners);
