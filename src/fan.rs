@@ -12,7 +12,7 @@
 //! The order of sums is that of the blocks: a ring node after its last tetrahedron, at the end of a fan its
 //! last ring node, axis and apex; each lane by lane.
 
-use crate::algebra::{add3, sub3, zero3};
+use crate::algebra::{sub3, zero3};
 use crate::element::Layout;
 use crate::lane::{BLOCK, Lanes};
 use crate::rest::{Rest, TetBlock};
@@ -130,22 +130,23 @@ impl<R: Lanes> Edges<R> {
     }
 }
 
-/// Sums values at the corners along some fans side by side, and adds each sum to its node once.
+/// Sums values at the corners along some fans side by side, and adds each sum to its node once: `N` numbers a node.
 #[derive(Clone, Copy)]
-pub(crate) struct Sums<R> {
-    apex: [R; 3],
-    axis: [R; 3],
-    next: [R; 3],
+pub(crate) struct Sums<R, const N: usize = 3> {
+    apex: [R; N],
+    axis: [R; N],
+    next: [R; N],
 }
 
-impl<R: Lanes> Sums<R> {
+impl<R: Lanes, const N: usize> Sums<R, N> {
     /// At the beginning of eight fans.
     #[inline(always)]
     pub fn open() -> R::Bites<Self> {
+        let zero = [R::splat(0.0); N];
         R::bites(|_| Self {
-            apex: zero3(),
-            axis: zero3(),
-            next: zero3(),
+            apex: zero,
+            axis: zero,
+            next: zero,
         })
     }
 
@@ -154,15 +155,15 @@ impl<R: Lanes> Sums<R> {
     #[inline(always)]
     pub fn add_balanced(
         &mut self,
-        [axis, ring, next]: &[[R; 3]; 3],
-        out: &mut [[f32; 3]],
+        [axis, ring, next]: &[[R; N]; 3],
+        out: &mut [[f32; N]],
         nodes: &Nodes,
         at: usize,
     ) {
-        let ring = add3(&self.next, ring);
+        let ring = plus(&self.next, ring);
         R::scatter_add(&ring, out, &nodes[RING], at);
-        self.apex = sub3(&self.apex, &ring);
-        self.axis = add3(&self.axis, axis);
+        self.apex = minus(&self.apex, &ring);
+        self.axis = plus(&self.axis, axis);
         self.next = *next;
     }
 
@@ -170,20 +171,20 @@ impl<R: Lanes> Sums<R> {
     #[inline(always)]
     pub fn add(
         &mut self,
-        [apex, axis, ring, next]: &[[R; 3]; 4],
-        out: &mut [[f32; 3]],
+        [apex, axis, ring, next]: &[[R; N]; 4],
+        out: &mut [[f32; N]],
         nodes: &Nodes,
         at: usize,
     ) {
-        R::scatter_add(&add3(&self.next, ring), out, &nodes[RING], at);
-        self.apex = add3(&self.apex, apex);
-        self.axis = add3(&self.axis, axis);
+        R::scatter_add(&plus(&self.next, ring), out, &nodes[RING], at);
+        self.apex = plus(&self.apex, apex);
+        self.axis = plus(&self.axis, axis);
         self.next = *next;
     }
 
     /// At the end of the fans, whose last block has these nodes.
     #[inline(always)]
-    pub fn close(sums: &R::Bites<Self>, out: &mut [[f32; 3]], nodes: &Nodes) {
+    pub fn close(sums: &R::Bites<Self>, out: &mut [[f32; N]], nodes: &Nodes) {
         if R::WIDTH == 1 {
             Self::scatter_lanes(sums.as_ref(), out, nodes, false);
         } else {
@@ -193,7 +194,7 @@ impl<R: Lanes> Sums<R> {
 
     /// The same after [`Self::add_balanced`]: all that a fan adds sums to zero.
     #[inline(always)]
-    pub fn close_balanced(sums: &R::Bites<Self>, out: &mut [[f32; 3]], nodes: &Nodes) {
+    pub fn close_balanced(sums: &R::Bites<Self>, out: &mut [[f32; N]], nodes: &Nodes) {
         if R::WIDTH == 1 {
             Self::scatter_lanes(sums.as_ref(), out, nodes, true);
         } else {
@@ -204,12 +205,12 @@ impl<R: Lanes> Sums<R> {
     /// [`Self::scatter`] once in the binary: a lane's sums are in memory anyway. Eight copies of each loop would be
     /// 2 KB of flash, so the compiler is not to know that there are eight.
     #[inline(never)]
-    fn scatter_lanes(sums: &[Self], out: &mut [[f32; 3]], nodes: &Nodes, balanced: bool) {
+    fn scatter_lanes(sums: &[Self], out: &mut [[f32; N]], nodes: &Nodes, balanced: bool) {
         Self::scatter(core::hint::black_box(sums), out, nodes, balanced);
     }
 
     #[inline(always)]
-    fn scatter(sums: &[Self], out: &mut [[f32; 3]], nodes: &Nodes, balanced: bool) {
+    fn scatter(sums: &[Self], out: &mut [[f32; N]], nodes: &Nodes, balanced: bool) {
         for (bite, sum) in sums.iter().enumerate() {
             R::scatter_add(&sum.next, out, &nodes[NEXT], bite * R::WIDTH);
         }
@@ -218,11 +219,21 @@ impl<R: Lanes> Sums<R> {
         }
         for (bite, sum) in sums.iter().enumerate() {
             let apex = if balanced {
-                sub3(&sub3(&sum.apex, &sum.next), &sum.axis)
+                minus(&minus(&sum.apex, &sum.next), &sum.axis)
             } else {
                 sum.apex
             };
             R::scatter_add(&apex, out, &nodes[APEX], bite * R::WIDTH);
         }
     }
+}
+
+#[inline(always)]
+fn plus<R: Lanes, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
+    core::array::from_fn(|k| a[k] + b[k])
+}
+
+#[inline(always)]
+fn minus<R: Lanes, const N: usize>(a: &[R; N], b: &[R; N]) -> [R; N] {
+    core::array::from_fn(|k| a[k] - b[k])
 }

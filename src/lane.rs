@@ -96,8 +96,13 @@ pub trait Lanes: Real {
     /// The vectors of nodes `nodes[at .. at + WIDTH]`, `[axis]`. Where there is no such node: none in one lane, zeros
     /// in one of several.
     fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> Option<[Self; 3]>;
-    /// Adds `values` to the vectors of nodes `nodes[at .. at + WIDTH]`, one lane after the other.
-    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize);
+    /// Adds `values` to the numbers of nodes `nodes[at .. at + WIDTH]`, one lane after the other; three or six a node.
+    fn scatter_add<const N: usize>(
+        values: &[Self; N],
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        at: usize,
+    );
 }
 
 impl Real for f32 {
@@ -182,14 +187,25 @@ impl Lanes for f32 {
         vectors.get(nodes[at % BLOCK] as usize).copied()
     }
     #[inline(always)]
-    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
-        add(vectors, nodes[at % BLOCK], *values);
+    fn scatter_add<const N: usize>(
+        values: &[Self; N],
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        at: usize,
+    ) {
+        if let Some(sums) = sums.get_mut(nodes[at % BLOCK] as usize) {
+            for (sum, value) in sums.iter_mut().zip(values) {
+                *sum += value;
+            }
+        }
     }
 }
 
+/// Adds to the numbers 3k, 3k + 1 and 3k + 2 of a node.
 #[inline(always)]
-fn add(vectors: &mut [[f32; 3]], index: u32, [x, y, z]: [f32; 3]) {
-    if let Some(sum) = vectors.get_mut(index as usize) {
+fn add<const N: usize>(sums: &mut [[f32; N]], node: u32, k: usize, [x, y, z]: [f32; 3]) {
+    let of_node = sums.get_mut(node as usize);
+    if let Some(sum) = of_node.and_then(|sums| sums.as_chunks_mut::<3>().0.get_mut(k)) {
         sum[0] += x;
         sum[1] += y;
         sum[2] += z;
@@ -233,19 +249,24 @@ fn gather_last(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [[f32; 4]; 3] {
     core::array::from_fn(|axis| rows.map(|row| row[axis]))
 }
 
-/// Turns four lanes back to rows, so that a node's components are added side by side. Written out:
-/// loops over lanes would go through memory.
+/// Turns four lanes back to rows, so that a node's numbers 3k, 3k + 1 and 3k + 2 are added side by side. Written
+/// out: loops over lanes would go through memory.
 #[inline(always)]
-fn scatter4([x, y, z]: [f32x4; 3], vectors: &mut [[f32; 3]], nodes: &[u32; 4]) {
+fn scatter4<const N: usize>(
+    [x, y, z]: [f32x4; 3],
+    sums: &mut [[f32; N]],
+    k: usize,
+    nodes: &[u32; 4],
+) {
     let [a, b, c, d] = f32x4::transpose([x, y, z, f32x4::ZERO]);
     let row = |row: f32x4| {
         let [x, y, z, _] = row.to_array();
         [x, y, z]
     };
-    add(vectors, nodes[0], row(a));
-    add(vectors, nodes[1], row(b));
-    add(vectors, nodes[2], row(c));
-    add(vectors, nodes[3], row(d));
+    add(sums, nodes[0], k, row(a));
+    add(sums, nodes[1], k, row(b));
+    add(sums, nodes[2], k, row(c));
+    add(sums, nodes[3], k, row(d));
 }
 
 /// Four of a block's eight.
@@ -312,8 +333,15 @@ impl Lanes for f32x4 {
         Some(gather4(vectors, half(nodes, at)))
     }
     #[inline(always)]
-    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], at: usize) {
-        scatter4(*values, vectors, half(nodes, at));
+    fn scatter_add<const N: usize>(
+        values: &[Self; N],
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        at: usize,
+    ) {
+        for (k, values) in values.as_chunks::<3>().0.iter().enumerate() {
+            scatter4(*values, sums, k, half(nodes, at));
+        }
     }
 }
 
@@ -367,11 +395,17 @@ impl Lanes for f32x8 {
         Some([join(x, u), join(y, v), join(z, w)])
     }
     #[inline(always)]
-    fn scatter_add(values: &[Self; 3], vectors: &mut [[f32; 3]], nodes: &[u32; BLOCK], _at: usize) {
-        let [x, y, z] = values;
+    fn scatter_add<const N: usize>(
+        values: &[Self; N],
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        _at: usize,
+    ) {
         let low = |x: &f32x8| f32x4::new(*half(x.as_array(), 0));
         let high = |x: &f32x8| f32x4::new(*half(x.as_array(), 4));
-        scatter4([low(x), low(y), low(z)], vectors, half(nodes, 0));
-        scatter4([high(x), high(y), high(z)], vectors, half(nodes, 4));
+        for (k, [x, y, z]) in values.as_chunks::<3>().0.iter().enumerate() {
+            scatter4([low(x), low(y), low(z)], sums, k, half(nodes, 0));
+            scatter4([high(x), high(y), high(z)], sums, k, half(nodes, 4));
+        }
     }
 }

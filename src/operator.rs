@@ -6,7 +6,7 @@
 
 use crate::algebra::{each3, each4, scale3, zero3};
 use crate::element::{Bite, Layout, Sym3, deformation, gradients};
-use crate::fan::{Edges, Nodes, Sums, fans, lanes, last};
+use crate::fan::{Edges, Sums, fans, lanes, last};
 use crate::lane::{BLOCK, Lanes};
 use crate::polar::{self, Quaternion};
 use crate::rest::Rest;
@@ -114,34 +114,19 @@ impl<L: Layout> Operator<'_, L> {
         for (out, &m) in out.iter_mut().zip(self.inertia) {
             *out = [m, 0.0, 0.0, m, 0.0, m];
         }
-        // A symmetric block is two rows of three numbers.
-        let (rows, _) = out.as_flattened_mut().as_chunks_mut();
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
         for fan in fans(&self.rest) {
-            let mut upper = Sums::<R>::open();
-            let mut lower = Sums::<R>::open();
+            let mut sums = Sums::<R, 6>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
-                let [first, second] = two_rows(&tet.corners);
-                let bites = upper.as_mut().iter_mut().zip(lower.as_mut());
-                for ((upper, lower), at) in bites.zip(lanes::<R>()) {
+                for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
                     let blocks = L::diagonal(tet, rotated, at, scale);
-                    upper.add(&each4(blocks, |[a, b, c, ..]| [a, b, c]), rows, &first, at);
-                    lower.add(&each4(blocks, |[.., d, e, f]| [d, e, f]), rows, &second, at);
+                    sums.add(&blocks, out, &tet.corners, at);
                 }
             }
-            let [first, second] = two_rows(last(fan));
-            Sums::<R>::close(&upper, rows, &first);
-            Sums::<R>::close(&lower, rows, &second);
+            Sums::<R, 6>::close(&sums, out, last(fan));
         }
     }
-}
-
-/// Corners in a list that has two rows of three numbers a node: the numbers of both.
-#[inline(always)]
-pub(crate) fn two_rows(corners: &Nodes) -> [Nodes; 2] {
-    let first = corners.map(|corner| corner.map(|node| node.wrapping_mul(2)));
-    [first, first.map(|corner| corner.map(|row| row | 1))]
 }
 
 /// Rotates the stiffness of every tetrahedron and adds `scale` times the elastic forces at `x`

@@ -1,10 +1,10 @@
 //! Sums and updates over node vectors.
 //!
 //! Sums run in one order for every lane width: eight running sums over the flat array, folded in a
-//! fixed tree. Eight sums keep rounding low, and let the compiler use whatever lanes it has. Passes over numbers are
-//! taken eight by eight, too, and linked once.
+//! fixed tree. Eight sums keep rounding low, and let the compiler use whatever lanes it has.
 
 use crate::element::Sym3;
+use crate::lane::{Lanes, Native};
 
 /// Running sums of a dot product.
 pub(crate) const SUMS: usize = 8;
@@ -61,13 +61,16 @@ pub fn dot_pair(a: &[[f32; 3]], b: &[[f32; 3]], c: &[[f32; 3]]) -> (f32, f32) {
     (fold(ab), fold(bc))
 }
 
+/// Numbers in one round of a loop: with one lane, several spare counting; with more, compilers see to it.
+const ROUND: usize = if Native::WIDTH == 1 { SUMS } else { 1 };
+
 /// `change` of each number of `y` and its partner in `x`.
 #[inline(always)]
 fn pairs(y: &mut [[f32; 3]], x: &[[f32; 3]], change: impl Fn(&mut f32, f32)) {
-    let (y, y_rest) = y.as_flattened_mut().as_chunks_mut::<SUMS>();
-    let (x, x_rest) = x.as_flattened().as_chunks::<SUMS>();
+    let (y, y_rest) = y.as_flattened_mut().as_chunks_mut::<ROUND>();
+    let (x, x_rest) = x.as_flattened().as_chunks::<ROUND>();
     for (y, x) in y.iter_mut().zip(x) {
-        for k in 0..SUMS {
+        for k in 0..ROUND {
             change(&mut y[k], x[k]);
         }
     }

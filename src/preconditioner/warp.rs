@@ -1,11 +1,10 @@
 //! The rotation of a node: what turns a factor of the rest matrix with the body.
 
-use crate::algebra::scale3;
 use crate::element::{Layout, Sym3};
 use crate::fan::{Sums, fans, lanes, last};
 use crate::lane::Lanes;
 use crate::math::{Mask, sqrt};
-use crate::operator::{RotationBlock, two_rows};
+use crate::operator::RotationBlock;
 use crate::polar;
 use crate::rest::Rest;
 
@@ -25,23 +24,18 @@ pub(super) fn average_rotations<R: Lanes, L: Layout>(
     out: &mut [Rows],
 ) {
     out.fill([0.0; 6]);
-    let (rows, _) = out.as_flattened_mut().as_chunks_mut();
     let mut rotations = rotations.iter();
     for fan in fans(rest) {
-        let (mut upper, mut lower) = (Sums::<R>::open(), Sums::<R>::open());
+        let mut sums = Sums::<R, 6>::open();
         for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
-            let [first, second] = two_rows(&tet.corners);
-            let bites = upper.as_mut().iter_mut().zip(lower.as_mut());
-            for ((upper, lower), at) in bites.zip(lanes::<R>()) {
+            for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
                 let weight = R::load(&tet.mu_v, at);
-                let [a, b, _] = polar::matrix(&rotation.load::<R>(at));
-                upper.add(&[scale3(&a, weight); 4], rows, &first, at);
-                lower.add(&[scale3(&b, weight); 4], rows, &second, at);
+                let [[a, b, c], [d, e, f], _] = polar::matrix(&rotation.load::<R>(at));
+                let rows = [a, b, c, d, e, f].map(|x| x * weight);
+                sums.add(&[rows; 4], out, &tet.corners, at);
             }
         }
-        let [first, second] = two_rows(last(fan));
-        Sums::<R>::close(&upper, rows, &first);
-        Sums::<R>::close(&lower, rows, &second);
+        Sums::<R, 6>::close(&sums, out, last(fan));
     }
     for rows in out {
         *rows = orthonormal(rows);
