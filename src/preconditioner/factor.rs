@@ -22,6 +22,7 @@
 //! Entries may be stored in half precision (IEEE binary16, computed in f32): half the flash.
 
 use core::fmt;
+use core::ops::Range;
 
 use crate::element::Sym3;
 use crate::vector::sym_mul;
@@ -231,85 +232,85 @@ impl<'a> Factor<'a> {
 
     /// z ← (L D Lᵀ)⁻¹ z, for one vector a node.
     pub fn solve(&self, z: &mut [[f32; 3]]) {
-        match self.entries {
-            Entries::Warped { pivots, lower } => self.solve_with(pivots, lower, z),
-            Entries::WarpedHalf { pivots, lower } => self.solve_with(pivots, lower, z),
-            Entries::Laplacian { pivots, lower } => self.solve_with(pivots, lower, z),
-            Entries::LaplacianHalf { pivots, lower } => self.solve_with(pivots, lower, z),
-        }
-    }
-
-    fn solve_with<P: Pivot, E: Entry>(&self, pivots: &[P], lower: &[E], z: &mut [[f32; 3]]) {
         // L y = r
-        let (mut rows, mut entries, mut start) = (self.rows, lower, 0);
+        let mut start = 0;
         for (&node, &end) in self.order.iter().zip(self.ends) {
-            let count = (end - start) as usize;
-            start = end;
-            let (Some((column, rest)), Some((numbers, others))) = (
-                rows.split_at_checked(count),
-                entries.split_at_checked(count),
-            ) else {
-                return;
-            };
-            (rows, entries) = (rest, others);
-            let Some(&y) = z.get(usize::from(node)) else {
-                continue;
-            };
-            for (&row, entry) in column.iter().zip(numbers) {
-                if let Some(z) = z.get_mut(usize::from(row)) {
-                    entry.eliminate(&y, z);
+            let column = start..end as usize;
+            start = column.end;
+            if let Some(&y) = z.get(usize::from(node)) {
+                self.eliminate(column, &y, z);
+            }
+        }
+        match self.entries {
+            Entries::Warped { pivots, .. } | Entries::WarpedHalf { pivots, .. } => {
+                for (z, pivot) in z.iter_mut().zip(pivots) {
+                    *z = sym_mul(pivot, z);
+                }
+            }
+            Entries::Laplacian { pivots, .. } | Entries::LaplacianHalf { pivots, .. } => {
+                for (z, pivot) in z.iter_mut().zip(pivots) {
+                    *z = z.map(|z| pivot * z);
                 }
             }
         }
-        // D
-        for (z, pivot) in z.iter_mut().zip(pivots) {
-            *z = pivot.times(z);
-        }
         // Lᵀ z = y, the columns from the last to the first
-        let (mut rows, mut entries) = (self.rows, lower);
+        let mut end = self.rows.len();
         for (place, &node) in self.order.iter().enumerate().rev() {
             let start = place
                 .checked_sub(1)
                 .and_then(|before| self.ends.get(before))
                 .map_or(0, |&end| end as usize);
-            let (Some((rest, column)), Some((others, numbers))) = (
-                rows.split_at_checked(start),
-                entries.split_at_checked(start),
-            ) else {
-                return;
-            };
-            (rows, entries) = (rest, others);
-            let mut sums = E::NOTHING;
-            for (&row, entry) in column.iter().zip(numbers) {
-                if let Some(z) = z.get(usize::from(row)) {
-                    entry.gather(z, &mut sums);
-                }
-            }
+            let sum = self.product(start..end, z);
+            end = start;
             if let Some(z) = z.get_mut(usize::from(node)) {
-                let sum = E::total(&sums);
                 *z = core::array::from_fn(|axis| z[axis] - sum[axis]);
             }
         }
     }
-}
 
-/// D⁻¹ of one node.
-trait Pivot {
-    fn times(&self, z: &[f32; 3]) -> [f32; 3];
-}
-
-impl Pivot for f32 {
+    /// z −= ℓ y for every entry ℓ of a column.
     #[inline(always)]
-    fn times(&self, z: &[f32; 3]) -> [f32; 3] {
-        z.map(|z| self * z)
+    fn eliminate(&self, column: Range<usize>, y: &[f32; 3], z: &mut [[f32; 3]]) {
+        let rows = self.rows.get(column.clone()).unwrap_or_default();
+        match self.entries {
+            Entries::Warped { lower, .. } => eliminate(rows, lower.get(column), y, z),
+            Entries::WarpedHalf { lower, .. } => eliminate(rows, lower.get(column), y, z),
+            Entries::Laplacian { lower, .. } => eliminate(rows, lower.get(column), y, z),
+            Entries::LaplacianHalf { lower, .. } => eliminate(rows, lower.get(column), y, z),
+        }
+    }
+
+    /// Σ ℓᵀ z over the entries ℓ of a column.
+    #[inline(always)]
+    fn product(&self, column: Range<usize>, z: &[[f32; 3]]) -> [f32; 3] {
+        let rows = self.rows.get(column.clone()).unwrap_or_default();
+        match self.entries {
+            Entries::Warped { lower, .. } => product(rows, lower.get(column), z),
+            Entries::WarpedHalf { lower, .. } => product(rows, lower.get(column), z),
+            Entries::Laplacian { lower, .. } => product(rows, lower.get(column), z),
+            Entries::LaplacianHalf { lower, .. } => product(rows, lower.get(column), z),
+        }
     }
 }
 
-impl Pivot for Sym3<f32> {
-    #[inline(always)]
-    fn times(&self, z: &[f32; 3]) -> [f32; 3] {
-        sym_mul(self, z)
+#[inline(always)]
+fn eliminate<E: Entry>(rows: &[u16], lower: Option<&[E]>, y: &[f32; 3], z: &mut [[f32; 3]]) {
+    for (&row, entry) in rows.iter().zip(lower.unwrap_or_default()) {
+        if let Some(z) = z.get_mut(usize::from(row)) {
+            entry.eliminate(y, z);
+        }
     }
+}
+
+#[inline(always)]
+fn product<E: Entry>(rows: &[u16], lower: Option<&[E]>, z: &[[f32; 3]]) -> [f32; 3] {
+    let mut sums = E::NOTHING;
+    for (&row, entry) in rows.iter().zip(lower.unwrap_or_default()) {
+        if let Some(z) = z.get(usize::from(row)) {
+            entry.gather(z, &mut sums);
+        }
+    }
+    E::total(&sums)
 }
 
 /// One entry ℓ of L.
@@ -343,12 +344,12 @@ impl Stored for f32 {
 }
 
 impl Stored for u16 {
-    /// Exact: the bits in the place of f32's, and the difference of the exponents' offsets made good.
+    /// Exact: the bits in the place of f32's, and the difference of the exponents' offsets made good. Extending the
+    /// sign brings it to its place.
     #[inline(always)]
     fn value(self) -> f32 {
-        let bits = u32::from(self);
-        let magnitude = f32::from_bits((bits & 0x7fff) << 13) * f32::from_bits(0x7780_0000); // 2¹¹²
-        f32::from_bits(magnitude.to_bits() | ((bits & 0x8000) << 16))
+        let bits = i32::from(self.cast_signed()).cast_unsigned();
+        f32::from_bits((bits << 13) & 0x8fff_e000) * f32::from_bits(0x7780_0000) // 2¹¹²
     }
     fn is_usable(self) -> bool {
         let exponent = self & 0x7c00;
