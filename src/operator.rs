@@ -56,6 +56,7 @@ impl<L: Layout> Copy for Operator<'_, L> {}
 
 impl<L: Layout> Operator<'_, L> {
     /// `out` = A u
+    #[inline(never)]
     pub fn apply<R: Lanes>(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         for ((out, u), m) in out.iter_mut().zip(u).zip(self.inertia) {
             *out = [m * u[0], m * u[1], m * u[2]];

@@ -107,10 +107,13 @@ impl<L: Layout, R: Lanes> Filtered<'_, L, R> {
     /// [`System::size`] of any residual; `z` is scratch.
     #[inline(always)]
     fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
-        if self.preconditioner.is_cheap() {
+        let rz = if self.preconditioner.is_cheap() {
             self.precondition(r, z);
-        }
-        self.size(r, dot(r, z))
+            dot(r, z)
+        } else {
+            0.0
+        };
+        self.size(r, rz)
     }
 }
 
@@ -446,6 +449,7 @@ fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
 }
 
 /// ‖P u‖²
+#[inline(never)]
 fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
     let mut sum = 0.0;
     for (p, u) in filter.iter().zip(u) {

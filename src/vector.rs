@@ -118,7 +118,7 @@ pub fn sym_mul(s: &Sym3<f32>, v: &[f32; 3]) -> [f32; 3] {
 }
 
 /// y_i = S_i x_i
-#[inline]
+#[inline(never)]
 pub fn multiply_blocks(y: &mut [[f32; 3]], blocks: &[Sym3<f32>], x: &[[f32; 3]]) {
     for ((y, s), x) in y.iter_mut().zip(blocks).zip(x) {
         *y = sym_mul(s, x);
