@@ -236,6 +236,13 @@ fn cut(of: [u8; 4]) -> [u8; 4] {
     distinct
 }
 
+/// The aggregates of a tetrahedron's corners.
+#[inline(never)]
+fn aggregates_of(tet: &TetBlock, lane: usize, of: &[u8]) -> [u8; 4] {
+    let aggregate = |node: u32| of.get(node as usize).copied().unwrap_or(NONE);
+    core::array::from_fn(|corner| aggregate(tet.corners[corner][lane % BLOCK]))
+}
+
 /// What a block of eight tetrahedra is to the coarse space.
 struct Cuts {
     /// The aggregates of each lane, as [`cut`] has them.
@@ -249,55 +256,47 @@ struct Cuts {
 }
 
 impl Cuts {
-    /// Nothing where no lane is cut.
-    fn new(tet: &TetBlock, of: &[u8], offsets: &[[f32; 3]]) -> Option<Self> {
-        let mut aggregates = [[NONE; BLOCK]; 4];
+    const EMPTY: Self = Self {
+        aggregates: [[0; 4]; BLOCK],
+        members: [[[0.0; BLOCK]; 4]; 4],
+        offsets: [[[0.0; BLOCK]; 3]; 4],
+        slots: 0,
+    };
+
+    /// Reads a block; whether any of its lanes is cut. Else nothing of use is here.
+    fn read(&mut self, tet: &TetBlock, of: &[u8], offsets: &[[f32; 3]]) -> bool {
         let mut differs = 0;
-        for (out, nodes) in aggregates.iter_mut().zip(&tet.corners) {
-            for (out, &node) in out.iter_mut().zip(nodes) {
-                *out = of.get(node as usize).copied().unwrap_or(NONE);
-            }
-        }
-        let [first, others @ ..] = &aggregates;
-        for other in others {
-            for (a, b) in first.iter().zip(other) {
-                differs |= a ^ b;
-            }
+        for lane in 0..BLOCK {
+            let [a, b, c, d] = aggregates_of(tet, lane, of);
+            differs |= (a ^ b) | (a ^ c) | (a ^ d);
         }
         if differs == 0 {
-            return None;
+            return false;
         }
-        let mut out = Self {
-            aggregates: [[NONE; 4]; BLOCK],
-            members: [[[0.0; BLOCK]; 4]; 4],
-            offsets: [[[0.0; BLOCK]; 3]; 4],
-            slots: 0,
-        };
-        for (lane, cuts) in out.aggregates.iter_mut().enumerate() {
-            *cuts = cut([0, 1, 2, 3].map(|corner| aggregates[corner][lane]));
-            for (slot, &aggregate) in cuts.iter().enumerate() {
-                if aggregate == NONE {
-                    continue;
+        self.slots = 0;
+        for (lane, cuts) in self.aggregates.iter_mut().enumerate() {
+            let of = aggregates_of(tet, lane, of);
+            *cuts = cut(of);
+            for (slot, (&aggregate, members)) in cuts.iter().zip(&mut self.members).enumerate() {
+                if aggregate != NONE {
+                    self.slots = self.slots.max(slot + 1);
                 }
-                out.slots = out.slots.max(slot + 1);
-                for corner in 0..4 {
-                    let member = aggregates[corner][lane] == aggregate;
-                    out.members[slot][corner][lane] = f32::from(u8::from(member));
+                for (members, of) in members.iter_mut().zip(of) {
+                    let member = (aggregate != NONE) & (of == aggregate);
+                    members[lane] = f32::from(u8::from(member));
+                }
+            }
+            for (out, nodes) in self.offsets.iter_mut().zip(&tet.corners) {
+                let d = offsets.get(nodes[lane] as usize).unwrap_or(&[0.0; 3]);
+                for (out, d) in out.iter_mut().zip(d) {
+                    out[lane] = *d;
                 }
             }
         }
-        for (out, nodes) in out.offsets.iter_mut().zip(&tet.corners) {
-            for (lane, &node) in nodes.iter().enumerate() {
-                let d = offsets.get(node as usize).copied().unwrap_or([0.0; 3]);
-                for axis in 0..3 {
-                    out[axis][lane] = d[axis];
-                }
-            }
-        }
-        Some(out)
+        true
     }
 
-    #[inline]
+    #[inline(never)]
     fn fold<R: Lanes, L: Layout>(
         &self,
         tet: &TetBlock,
@@ -326,10 +325,11 @@ pub(crate) fn load(blocks: &[TetBlock], aggregates: &Aggregates<'_>) -> Load {
         aggregates: aggregates.count(),
         ..Load::default()
     };
-    for cuts in blocks
-        .iter()
-        .filter_map(|tet| Cuts::new(tet, aggregates.of(), &[]))
-    {
+    let mut cuts = Cuts::EMPTY;
+    for tet in blocks {
+        if !cuts.read(tet, aggregates.of(), &[]) {
+            continue;
+        }
         load.cut_blocks += 1;
         load.products += pairs(cuts.slots);
         for of in &cuts.aggregates {
@@ -347,10 +347,11 @@ fn add_cuts<R: Lanes, L: Layout>(
     e: &mut Matrix<'_>,
 ) {
     let scale = R::splat(operator.stiffness);
+    let mut cuts = Cuts::EMPTY;
     for (tet, rotated) in operator.rest.blocks.iter().zip(operator.rotated) {
-        let Some(cuts) = Cuts::new(tet, aggregates.of(), offsets) else {
+        if !cuts.read(tet, aggregates.of(), offsets) {
             continue;
-        };
+        }
         for slot in 0..cuts.slots {
             for other in slot..cuts.slots {
                 let mut rows = [[[0.0; BLOCK]; MODES]; MODES];
@@ -389,7 +390,7 @@ fn factorise(e: &mut Matrix<'_>) {
         rows = below;
     }
     let mut rows = &mut *e.rows;
-    for (length, entry) in (1..=e.modes).rev().zip(entries) {
+    for (length, &entry) in (1..=e.modes).rev().zip(&entries) {
         let (row, below) = rows.split_at_mut_checked(length).unwrap_or_default();
         let Some((pivot, row)) = row.split_first_mut() else {
             return;
