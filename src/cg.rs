@@ -13,7 +13,7 @@
 
 use crate::math::{ratio_or_zero, select};
 use crate::space::{NOTHING, Space};
-use crate::vector::{advance, dot, dot_pair, scale_and_add};
+use crate::vector::{advance, dot, scale_and_add};
 
 /// What the solver knows of the system.
 pub(crate) trait System {
@@ -55,7 +55,7 @@ pub(crate) fn solve(
         previous = select(live, rz, 0.0);
         scale_and_add(p, beta, q);
         system.apply(p, q);
-        let (rp, pap) = dot_pair(r, p, q);
+        let (rp, pap) = (dot(r, p), dot(p, q));
         let alpha = select(live, ratio_or_zero(rp, pap, 0.0), 0.0);
         advance(v, r, alpha, p, q);
     }

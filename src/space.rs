@@ -28,6 +28,7 @@ impl Translations<'_> {
     }
 
     /// Takes the mean motion out of `z`.
+    #[inline(never)]
     fn remove(&self, z: &mut [[f32; 3]]) {
         let mean = self.mean(z);
         for z in z.iter_mut() {
@@ -176,6 +177,7 @@ fn pairs<'a>(
 }
 
 /// z −= w_j (Aw_j·z)
+#[inline(never)]
 fn remove(vectors: &[[f32; 3]], products: &[[f32; 3]], nodes: usize, z: &mut [[f32; 3]]) {
     for (w, aw) in pairs(vectors, products, nodes) {
         let c = dot(aw, z);

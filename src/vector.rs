@@ -39,28 +39,6 @@ pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
     fold(sums)
 }
 
-/// (a · b, b · c) in one pass
-#[inline(never)]
-#[must_use]
-pub fn dot_pair(a: &[[f32; 3]], b: &[[f32; 3]], c: &[[f32; 3]]) -> (f32, f32) {
-    let (a, a_rest) = a.as_flattened().as_chunks::<SUMS>();
-    let (b, b_rest) = b.as_flattened().as_chunks::<SUMS>();
-    let (c, c_rest) = c.as_flattened().as_chunks::<SUMS>();
-    let (mut ab, mut bc) = ([0.0; SUMS], [0.0; SUMS]);
-    for ((a, b), c) in a.iter().zip(b).zip(c) {
-        for k in 0..SUMS {
-            ab[k] += a[k] * b[k];
-            bc[k] += b[k] * c[k];
-        }
-    }
-    let rest = a_rest.iter().zip(b_rest).zip(c_rest);
-    for ((ab, bc), ((a, b), c)) in ab.iter_mut().zip(&mut bc).zip(rest) {
-        *ab += a * b;
-        *bc += b * c;
-    }
-    (fold(ab), fold(bc))
-}
-
 /// Numbers in one round of a loop: with one lane, several spare counting; with more, compilers see to it.
 const ROUND: usize = if Native::WIDTH == 1 { SUMS } else { 1 };
 
@@ -127,7 +105,7 @@ pub fn multiply_blocks(y: &mut [[f32; 3]], blocks: &[Sym3<f32>], x: &[[f32; 3]])
 
 /// Σ m_i u_i, each axis with a running compensation (Neumaier 1974): the sum's error does not grow
 /// with the number of nodes.
-#[inline]
+#[inline(never)]
 #[must_use]
 pub fn momentum(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
     let (mut sum, mut lost) = ([0.0_f32; 3], [0.0_f32; 3]);

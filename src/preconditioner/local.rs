@@ -5,7 +5,7 @@
 
 use crate::algebra::mul_mat;
 use crate::element::Sym3;
-use crate::math::{ratio_or_zero, select};
+use crate::math::{Mask, ratio_or_zero};
 
 /// The block B_i of node i: see the variants of the same names of
 /// [`Preconditioner`](super::Preconditioner).
@@ -57,10 +57,10 @@ fn inverse(a: &Sym3<f32>) -> Sym3<f32> {
     let (xy, xz, yz) = (a[1], a[2], a[4]);
     let (sx, sy, sz) = (yz * yz * dy * dz, xz * xz * dx * dz, xy * xy * dx * dy);
     let det = 1.0 - sx - sy - sz + 2.0 * (xy * dx) * (yz * dy) * (xz * dz);
-    let good = det > 1e-5;
-    let scale = 1.0 / select(good, det, 1.0);
-    let off = |x: f32| select(good, x * scale, 0.0);
-    let on = |d: f32, s: f32| select(good, d * (1.0 - s) * scale, d);
+    let good = Mask::of(det > 1e-5);
+    let scale = 1.0 / good.pick(det, 1.0);
+    let off = |x: f32| good.keep(x * scale);
+    let on = |d: f32, s: f32| good.pick(d * (1.0 - s) * scale, d);
     [
         on(dx, sx),
         off(dx * dy * (xz * yz * dz - xy)),

@@ -65,7 +65,7 @@ fn orthonormal(rows: &Rows) -> Rows {
 const HALF_SQRT: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
 /// u over its length, and whether it has one (in f32's range, squared).
-#[inline]
+#[inline(never)]
 fn unit(u: &[f32; 3]) -> ([f32; 3], bool) {
     // By the sum of magnitudes first: squares of stiffnesses can leave the range of f32.
     let size = u[0].abs() + u[1].abs() + u[2].abs();
