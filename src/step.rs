@@ -35,7 +35,7 @@ use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translations, fill_space, keep_momentum};
-use crate::vector::{add_scaled, copy, dot, dot_pair, sym_mul};
+use crate::vector::{add_scaled, copy, dot, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
 pub(crate) struct Units {
@@ -466,7 +466,7 @@ fn search_along(system: &impl System, filter: &[Sym3<f32>], [v, r, p, q]: [&mut 
         *p = sym_mul(filter, v);
     }
     system.apply(p, q);
-    let (rp, pap) = dot_pair(r, p, q);
+    let (rp, pap) = (dot(r, p), dot(p, q));
     crate::vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
 }
 
