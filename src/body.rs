@@ -14,7 +14,7 @@ use glam::Vec3;
 use crate::element::{Factored, Layout};
 use crate::energy::{self, Energies, Momenta};
 use crate::lane::Native;
-use crate::material::Material;
+use crate::material::Materials;
 use crate::mesh::{Mesh, MeshError};
 pub use crate::rest::rest_bytes;
 use crate::rest::{Rest, RestBuffer};
@@ -127,12 +127,16 @@ impl<
         }
     }
 
-    /// Takes a mesh and its material, and puts the body at rest in the rest shape.
+    /// Takes a mesh and its material, or [`Materials`], and puts the body at rest in the rest shape.
     ///
     /// # Errors
     /// [`MeshError`] where it does not fit; the body is then as it was.
-    pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
-        self.rest.fill(mesh, material)?;
+    pub fn fill(
+        &mut self,
+        mesh: &Mesh<'_>,
+        materials: &(impl Materials + ?Sized),
+    ) -> Result<(), MeshError> {
+        self.rest.fill(mesh, materials)?;
         self.state.reset(&self.rest.view())
     }
 

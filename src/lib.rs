@@ -136,7 +136,7 @@ pub use body::Body;
 pub use collider::Collider;
 pub use constraint::Pin;
 pub use lane::blocks;
-pub use material::Material;
+pub use material::{Material, Materials, Regions};
 pub use mesh::Mesh;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedBody;

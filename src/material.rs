@@ -1,4 +1,4 @@
-//! Isotropic linear elastic material with Rayleigh damping.
+//! Isotropic linear elastic materials with Rayleigh damping, one for a body or several in it.
 
 use core::fmt;
 
@@ -124,5 +124,54 @@ impl Material {
     #[must_use]
     pub fn beta(&self) -> f32 {
         self.beta
+    }
+}
+
+/// The materials of a body: a [`Material`] for all of it, a slice `[Material]` with one a
+/// tetrahedron, or [`Regions`].
+///
+/// Damping is a body's, not a tetrahedron's (D = αM + βK): all materials must have the same.
+pub trait Materials {
+    /// Of tetrahedron `tet`, counted from zero; `None` where it is given none.
+    fn of(&self, tet: usize) -> Option<&Material>;
+
+    /// For how many tetrahedra there is an entry; `None` where for any number.
+    fn tets(&self) -> Option<usize> {
+        None
+    }
+}
+
+impl Materials for Material {
+    fn of(&self, _: usize) -> Option<&Material> {
+        Some(self)
+    }
+}
+
+impl Materials for [Material] {
+    fn of(&self, tet: usize) -> Option<&Material> {
+        self.get(tet)
+    }
+
+    fn tets(&self) -> Option<usize> {
+        Some(self.len())
+    }
+}
+
+/// A few materials, and which of them each tetrahedron is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Regions<'a> {
+    /// The materials.
+    pub materials: &'a [Material],
+    /// One a tetrahedron: its place in `materials`.
+    pub of: &'a [u16],
+}
+
+impl Materials for Regions<'_> {
+    fn of(&self, tet: usize) -> Option<&Material> {
+        self.materials.get(usize::from(*self.of.get(tet)?))
+    }
+
+    fn tets(&self) -> Option<usize> {
+        Some(self.of.len())
     }
 }

@@ -52,6 +52,23 @@ pub enum MeshError {
         /// The tetrahedron.
         tet: u32,
     },
+    /// The list of materials is not one a tetrahedron.
+    Materials {
+        /// Entries that were given.
+        given: usize,
+        /// Tetrahedra of the mesh.
+        tets: usize,
+    },
+    /// A tetrahedron is given no material: its region does not exist.
+    NoMaterial {
+        /// The tetrahedron.
+        tet: u32,
+    },
+    /// A tetrahedron's material has not the damping of tetrahedron 0: a body has one.
+    Damping {
+        /// The tetrahedron.
+        tet: u32,
+    },
     /// More nodes than the storage holds.
     TooManyNodes {
         /// Nodes of the mesh.
@@ -95,6 +112,18 @@ impl fmt::Display for MeshError {
                 write!(
                     f,
                     "the mass or stiffness of tetrahedron {tet} is out of range"
+                )
+            }
+            Self::Materials { given, tets } => {
+                write!(f, "{given} materials were given for {tets} tetrahedra")
+            }
+            Self::NoMaterial { tet } => {
+                write!(f, "tetrahedron {tet} names a material that does not exist")
+            }
+            Self::Damping { tet } => {
+                write!(
+                    f,
+                    "the damping of tetrahedron {tet} is not that of the first: a body has one"
                 )
             }
             Self::TooManyNodes { needed, capacity } => {

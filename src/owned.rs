@@ -9,7 +9,7 @@ use crate::body::{StateError, StateMut, StateRef, WorkspaceMut, body_methods};
 use crate::element::{Dense, DenseBlocks, Elasticity, Factored, Layout, Sym3, elastic_blocks};
 use crate::energy::{self, Energies, Momenta};
 use crate::lane::{BLOCK, Native, blocks};
-use crate::material::Material;
+use crate::material::Materials;
 use crate::mesh::{Mesh, MeshError, shape};
 use crate::operator::{Fit, RotationBlock, fit_rotations};
 use crate::rest::{self, Header, Rest, RestMut, TetBlock, to_f32};
@@ -27,12 +27,12 @@ pub struct OwnedRest<L: Layout = Factored> {
 }
 
 impl<L: Layout> OwnedRest<L> {
-    /// Rest data of a mesh.
+    /// Rest data of a mesh, of one material or of several.
     ///
     /// # Errors
-    /// [`MeshError::OutOfScale`] where a mass or stiffness leaves the range of f32.
-    pub fn new(mesh: &Mesh<'_>, material: &Material) -> Result<Self, MeshError> {
-        rest::check_scale(mesh, material)?;
+    /// As [`RestMut::fill`].
+    pub fn new(mesh: &Mesh<'_>, materials: &(impl Materials + ?Sized)) -> Result<Self, MeshError> {
+        let first = rest::check_materials(mesh, materials)?;
         let (nodes, blocks) = (mesh.nodes().len(), blocks(mesh.tets().len()));
         let mut out = Self {
             nodes: vec![[0.0; 3]; nodes],
@@ -43,7 +43,8 @@ impl<L: Layout> OwnedRest<L> {
         };
         rest::fill(
             mesh,
-            material,
+            first,
+            materials,
             &mut RestMut::<L> {
                 nodes: &mut out.nodes,
                 masses: &mut out.masses,
@@ -70,17 +71,17 @@ impl<L: Layout> OwnedRest<L> {
 }
 
 impl OwnedRest<Dense> {
-    /// Rest data of a mesh with any linear elastic material, given per tetrahedron. `material` gives
+    /// Rest data of a mesh with any linear elastic material, given per tetrahedron. `materials` give
     /// density and damping.
     ///
     /// # Errors
-    /// [`MeshError::OutOfScale`] where a mass or stiffness leaves the range of f32.
+    /// As [`RestMut::fill`].
     pub fn anisotropic(
         mesh: &Mesh<'_>,
-        material: &Material,
+        materials: &(impl Materials + ?Sized),
         mut elasticity: impl FnMut(usize) -> Elasticity,
     ) -> Result<Self, MeshError> {
-        let mut out = Self::new(mesh, material)?;
+        let mut out = Self::new(mesh, materials)?;
         for (tet, corners) in mesh.tets().iter().enumerate() {
             let Some(shape) = shape(mesh.nodes(), corners) else {
                 continue;
@@ -224,13 +225,13 @@ impl<L: Layout> OwnedBody<L> {
     /// A body at rest in the rest shape, with room for what a start, or settings, need.
     ///
     /// # Errors
-    /// [`MeshError::OutOfScale`] where a mass or stiffness leaves the range of f32.
+    /// As [`RestMut::fill`].
     pub fn new(
         mesh: &Mesh<'_>,
-        material: &Material,
+        materials: &(impl Materials + ?Sized),
         needs: impl Into<Needs>,
     ) -> Result<Self, MeshError> {
-        Ok(Self::from_rest(OwnedRest::new(mesh, material)?, needs))
+        Ok(Self::from_rest(OwnedRest::new(mesh, materials)?, needs))
     }
 
     /// A body at rest, from rest data.

@@ -6,7 +6,7 @@ use bytemuck::{Pod, Zeroable};
 use crate::element::{Factored, Layout};
 use crate::energy::{FNV_START, fnv1a};
 use crate::lane::{BLOCK, blocks};
-use crate::material::Material;
+use crate::material::{Material, Materials};
 use crate::math::power_of_two_below;
 use crate::mesh::{Mesh, MeshError, Shape, shape};
 use crate::vector::copy;
@@ -123,12 +123,17 @@ pub struct RestMut<'a, L: Layout = Factored> {
 }
 
 impl<L: Layout> RestMut<'_, L> {
-    /// Computes the rest data of a mesh.
+    /// Computes the rest data of a mesh, of one [`Material`] or of several.
     ///
     /// # Errors
-    /// [`MeshError::TooManyNodes`] or [`MeshError::TooManyTets`] where a slice is not of the mesh's length, else
-    /// [`MeshError::OutOfScale`]. Nothing is written then.
-    pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
+    /// [`MeshError::TooManyNodes`] or [`MeshError::TooManyTets`] where a slice is not of the mesh's length;
+    /// what is wrong with the materials: [`MeshError::Materials`], [`MeshError::NoMaterial`],
+    /// [`MeshError::Damping`]; [`MeshError::OutOfScale`]. Nothing is written then.
+    pub fn fill(
+        &mut self,
+        mesh: &Mesh<'_>,
+        materials: &(impl Materials + ?Sized),
+    ) -> Result<(), MeshError> {
         let (nodes, tets) = (mesh.nodes().len(), mesh.tets().len());
         if self.nodes.len() != nodes || self.masses.len() != nodes {
             return Err(MeshError::TooManyNodes {
@@ -142,23 +147,39 @@ impl<L: Layout> RestMut<'_, L> {
                 capacity: self.blocks.len().min(self.stiffness.len()) * BLOCK,
             });
         }
-        check_scale(mesh, material)?;
-        fill(mesh, material, self);
+        let first = check_materials(mesh, materials)?;
+        fill(mesh, first, materials, self);
         Ok(())
     }
 }
 
-/// Checks that what a step computes of every tetrahedron at rest is in the range of f32: its mass, λV,
-/// μV, |g|², its stiffness; and the sum of the masses.
-pub(crate) fn check_scale(mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
-    let (lambda, mu) = material.lame();
+/// Checks that every tetrahedron has a material, all with one damping, and that what a step computes of it at
+/// rest is in the range of f32: its mass, λV, μV, |g|², its stiffness; and the sum of the masses. Returns
+/// the first material.
+pub(crate) fn check_materials<'m>(
+    mesh: &Mesh<'_>,
+    materials: &'m (impl Materials + ?Sized),
+) -> Result<&'m Material, MeshError> {
+    let tets = mesh.tets().len();
+    if let Some(given) = materials.tets()
+        && given != tets
+    {
+        return Err(MeshError::Materials { given, tets });
+    }
+    let none = |tet| MeshError::NoMaterial { tet };
+    let first = materials.of(0).ok_or(none(0))?;
     let finite = |x: f64| to_f32(x).is_finite();
     let normal = |x: f64| to_f32(x).is_normal();
     let mut total = 0.0;
-    for (tet, corners) in (0_u32..).zip(mesh.tets()) {
+    for ((tet, corners), index) in (0_u32..).zip(mesh.tets()).zip(0..) {
+        let material = materials.of(index).ok_or(none(tet))?;
+        if material.alpha() != first.alpha() || material.beta() != first.beta() {
+            return Err(MeshError::Damping { tet });
+        }
         let Some(Shape { volume, gradients }) = shape(mesh.nodes(), corners) else {
             continue;
         };
+        let (lambda, mu) = material.lame();
         let mass = volume * f64::from(material.density());
         total += mass;
         // |g_0|² is at most three times the sum of the others'.
@@ -169,7 +190,7 @@ pub(crate) fn check_scale(mesh: &Mesh<'_>, material: &Material) -> Result<(), Me
             return Err(MeshError::OutOfScale { tet });
         }
     }
-    Ok(())
+    Ok(first)
 }
 
 #[expect(
@@ -181,23 +202,30 @@ pub(crate) fn to_f32(x: f64) -> f32 {
 }
 
 /// Computes rest data in f64 and rounds each number once. The slices must have as many entries as
-/// the mesh has nodes, and as [`blocks`] says for its tetrahedra.
-pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut RestMut<'_, L>) {
-    let (lambda, mu) = material.lame();
-    let density = f64::from(material.density());
+/// the mesh has nodes, and as [`blocks`] says for its tetrahedra. `first` is any of the materials, which were checked.
+pub(crate) fn fill<L: Layout>(
+    mesh: &Mesh<'_>,
+    first: &Material,
+    materials: &(impl Materials + ?Sized),
+    out: &mut RestMut<'_, L>,
+) {
     copy(out.nodes, mesh.nodes());
     out.masses.fill(0.0);
     let (mut total_mass, mut total_volume) = (0.0, 0.0);
     let chunks = mesh.tets().chunks(BLOCK);
-    for ((chunk, block), stiffness) in chunks
+    for (((chunk, block), stiffness), start) in chunks
         .zip(out.blocks.iter_mut())
         .zip(out.stiffness.iter_mut())
+        .zip((0..).step_by(BLOCK))
     {
         *block = TetBlock::ZERO;
         for (lane, corners) in (0..BLOCK).zip(chunk) {
             let Some(shape) = shape(mesh.nodes(), corners) else {
                 continue;
             };
+            let material = materials.of(start + lane).unwrap_or(first);
+            let (lambda, mu) = material.lame();
+            let density = f64::from(material.density());
             total_volume += shape.volume;
             for (corner, &node) in corners.iter().enumerate() {
                 block.corners[corner][lane] = node;
@@ -228,8 +256,8 @@ pub(crate) fn fill<L: Layout>(mesh: &Mesh<'_>, material: &Material, out: &mut Re
     *out.header = Header {
         fingerprint: fingerprint(mesh.nodes(), mesh.tets().iter().copied()),
         tets: u32::try_from(tets).unwrap_or(u32::MAX),
-        alpha: material.alpha(),
-        beta: material.beta(),
+        alpha: first.alpha(),
+        beta: first.beta(),
         length_unit: power_of_two_below(to_f32(libm::cbrt(per_tet))),
         mass_unit: power_of_two_below(to_f32(per_node)),
         total_mass: to_f32(total_mass),
@@ -275,12 +303,16 @@ impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCK
         }
     }
 
-    /// Fills the buffer in place.
+    /// Fills the buffer in place; see [`RestMut::fill`].
     ///
     /// # Errors
-    /// [`MeshError`] where the mesh does not fit, or its masses and stiffnesses leave the range of
-    /// f32. The buffer is then as it was.
-    pub fn fill(&mut self, mesh: &Mesh<'_>, material: &Material) -> Result<(), MeshError> {
+    /// [`MeshError`] where the mesh does not fit, its materials do not, or its masses and stiffnesses leave
+    /// the range of f32. The buffer is then as it was.
+    pub fn fill(
+        &mut self,
+        mesh: &Mesh<'_>,
+        materials: &(impl Materials + ?Sized),
+    ) -> Result<(), MeshError> {
         let (nodes, tets) = (mesh.nodes().len(), mesh.tets().len());
         if nodes > NODES {
             return Err(MeshError::TooManyNodes {
@@ -294,7 +326,7 @@ impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCK
                 capacity: BLOCKS * BLOCK,
             });
         }
-        check_scale(mesh, material)?;
+        let first = check_materials(mesh, materials)?;
         // Both were checked above, so no resize can fail.
         _ = self.nodes.resize(nodes, [0.0; 3]);
         _ = self.masses.resize(nodes, 0.0);
@@ -302,7 +334,8 @@ impl<const NODES: usize, const BLOCKS: usize, L: Layout> RestBuffer<NODES, BLOCK
         _ = self.stiffness.resize(blocks(tets), L::ZERO_STIFFNESS);
         fill(
             mesh,
-            material,
+            first,
+            materials,
             &mut RestMut::<L> {
                 nodes: &mut self.nodes,
                 masses: &mut self.masses,
