@@ -23,6 +23,8 @@ pub struct Case {
     pub mesh: TetMesh,
     pub young: f32,
     pub poisson: f32,
+    /// Of the half of smaller x, and of the other.
+    pub densities: [f32; 2],
     pub h: f32,
     pub x: Vec<[f32; 3]>,
     pub v: Vec<[f32; 3]>,
@@ -42,6 +44,7 @@ fn case(name: &'static str, mesh: TetMesh, expected: Expected) -> Case {
         mesh,
         young: 1e6,
         poisson: 0.4,
+        densities: [1000.0; 2],
         h: 0.01,
         pins: Vec::new(),
         force: 0.0,
@@ -118,6 +121,10 @@ pub fn all(cells: [usize; 3]) -> Vec<Case> {
     cases.push(with(
         case("Poisson's ratio 0.499", bar(), Recovered).stretched(),
         &poisson,
+    ));
+    cases.push(with(
+        case("density 1 : 1e6 in one body", bar(), Bounded).stretched(),
+        &|c| c.densities = [1.0, 1e6],
     ));
     cases.push(with(case("E = 1e3", bar(), Bounded).stretched(), &|c| {
         c.young = 1e3

@@ -89,15 +89,23 @@ impl Outcome {
     }
 }
 
-/// The material of a case.
-fn material(case: &Case) -> Material {
-    Material::new(case.young, case.poisson, 1000.0).expect("a valid material")
+/// The materials of a case, one a tetrahedron.
+pub fn materials(case: &Case) -> Vec<Material> {
+    let [light, heavy] = case
+        .densities
+        .map(|density| Material::new(case.young, case.poisson, density).expect("a valid material"));
+    let xs = case.mesh.nodes.iter().map(|x| x[0]);
+    let (low, high) = xs.fold((f32::MAX, f32::MIN), |(l, h), x| (l.min(x), h.max(x)));
+    let x = |&i: &u32| case.mesh.nodes[i as usize][0];
+    let far = |tet: &[u32; 4]| tet.iter().map(x).sum::<f32>() > 2.0 * (low + high);
+    let of = |tet| if far(tet) { heavy } else { light };
+    case.mesh.tets.iter().map(of).collect()
 }
 
 /// One run.
 pub fn run(case: &Case, start: Start, preconditioner: &str, budget: Budget) -> Outcome {
     let rest = Mesh::new(&case.mesh.nodes, &case.mesh.tets)
-        .and_then(|mesh| OwnedRest::<Factored>::new(&mesh, &material(case)));
+        .and_then(|mesh| OwnedRest::<Factored>::new(&mesh, materials(case).as_slice()));
     let rest = match rest {
         Ok(rest) => rest,
         Err(e) => return Outcome::Refused(e.to_string()),

@@ -175,12 +175,17 @@ fn many_steps(study: &Run, out: &mut Output) {
 }
 
 fn long(case: &Case, steps: u32) -> String {
-    use femto::{Material, Mesh, OwnedBody, Scene, Settings};
+    use femto::{Mesh, OwnedBody, Scene, Settings};
     let built = Mesh::new(&case.mesh.nodes, &case.mesh.tets)
         .ok()
         .and_then(|mesh| {
-            let material = Material::new(case.young, case.poisson, 1000.0).ok()?;
-            OwnedBody::<femto::element::Factored>::new(&mesh, &material, Start::default()).ok()
+            let materials = run::materials(case);
+            OwnedBody::<femto::element::Factored>::new(
+                &mesh,
+                materials.as_slice(),
+                Start::default(),
+            )
+            .ok()
         });
     let (Some(mut body), Ok(settings)) = (built, Settings::new(case.h)) else {
         return "could not be built".into();
