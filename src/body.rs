@@ -95,9 +95,10 @@ pub struct Body<
     const VECTORS: usize = 1,
     L: Layout = Factored,
     const COARSE: usize = 0,
+    const DAMAGE: usize = 0,
 > {
     rest: RestBuffer<NODES, BLOCKS, L>,
-    state: State<NODES, BLOCKS, HISTORY>,
+    state: State<NODES, BLOCKS, HISTORY, DAMAGE>,
     workspace: Workspace<NODES, BLOCKS, VECTORS, L, COARSE>,
 }
 
@@ -108,12 +109,13 @@ impl<
     const VECTORS: usize,
     L: Layout,
     const COARSE: usize,
-> Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE>
+    const DAMAGE: usize,
+> Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE, DAMAGE>
 {
     /// Bytes of the rest data, capacity included.
     pub const REST_BYTES: usize = size_of::<RestBuffer<NODES, BLOCKS, L>>();
     /// Bytes of the state.
-    pub const STATE_BYTES: usize = size_of::<State<NODES, BLOCKS, HISTORY>>();
+    pub const STATE_BYTES: usize = size_of::<State<NODES, BLOCKS, HISTORY, DAMAGE>>();
     /// Bytes of the workspace.
     pub const WORKSPACE_BYTES: usize = size_of::<Workspace<NODES, BLOCKS, VECTORS, L, COARSE>>();
 
@@ -142,13 +144,13 @@ impl<
 
     /// The state, for snapshots: see [`State::copy_from`].
     #[must_use]
-    pub fn state(&self) -> &State<NODES, BLOCKS, HISTORY> {
+    pub fn state(&self) -> &State<NODES, BLOCKS, HISTORY, DAMAGE> {
         &self.state
     }
 
     /// The state, for restoring a snapshot.
     #[must_use]
-    pub fn state_mut(&mut self) -> &mut State<NODES, BLOCKS, HISTORY> {
+    pub fn state_mut(&mut self) -> &mut State<NODES, BLOCKS, HISTORY, DAMAGE> {
         &mut self.state
     }
 
@@ -171,7 +173,8 @@ impl<
     const VECTORS: usize,
     L: Layout,
     const COARSE: usize,
-> Default for Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE>
+    const DAMAGE: usize,
+> Default for Body<NODES, BLOCKS, HISTORY, VECTORS, L, COARSE, DAMAGE>
 {
     fn default() -> Self {
         Self::new()

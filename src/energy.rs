@@ -6,6 +6,8 @@ use glam::Vec3;
 use crate::body::StateRef;
 use crate::element::{Bite, Layout, deformation, edges};
 use crate::lane::BLOCK;
+#[cfg(feature = "plasticity")]
+use crate::plasticity;
 use crate::polar;
 use crate::rest::Rest;
 
@@ -14,7 +16,7 @@ use crate::rest::Rest;
 pub struct Energies {
     /// ½ Σ m v²
     pub kinetic: f64,
-    /// Σ V (μ |ε|² + λ/2 tr(ε)²)
+    /// Σ V (μ |ε|² + λ/2 tr(ε)²), over what has not broken; of plastic bodies, with the elastic part of ε's deviator.
     pub elastic: f64,
     /// −Σ m g·x, from the origin
     pub potential: f64,
@@ -67,14 +69,65 @@ pub fn energies<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>, gravity: Ve
 #[must_use]
 pub fn elastic<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>, rotations: Rotations) -> f64 {
     let mut sum = 0.0;
-    each_tet(rest, state, |bite, f, stored| {
-        let q = match rotations {
-            Rotations::Converged => polar::nearest_rotation(f),
-            Rotations::Stored => stored,
-        };
-        sum += L::energy(bite, &polar::matrix(&q));
-    });
+    each_tet(
+        rest,
+        state,
+        |Tet {
+             bite,
+             f,
+             stored,
+             block,
+         }| {
+            let q = match rotations {
+                Rotations::Converged => polar::nearest_rotation(f),
+                Rotations::Stored => *stored,
+            };
+            sum += L::energy(bite, &polar::matrix(&q)) + plastic(state, *block, bite, &q, f);
+        },
+    );
     sum
+}
+
+/// What plastic strain adds to a tetrahedron's elastic energy.
+#[cfg(feature = "plasticity")]
+fn plastic<L: Layout>(
+    state: &StateRef<'_>,
+    block: usize,
+    bite: &Bite<'_, L, f64>,
+    q: &polar::Quaternion<f64>,
+    f: &[[f64; 3]; 3],
+) -> f64 {
+    let lane = bite.at % BLOCK;
+    let strain = state
+        .plastic
+        .get(block)
+        .map(|p| p.0.map(|c| f64::from(c[lane])));
+    let mu_v = f64::from(bite.tet.mu_v[lane]);
+    strain.map_or(0.0, |p| {
+        plasticity::energy(mu_v, &p, &polar::unrotated(q, f))
+    })
+}
+
+#[cfg(not(feature = "plasticity"))]
+fn plastic<L: Layout>(
+    _: &StateRef<'_>,
+    _: usize,
+    _: &Bite<'_, L, f64>,
+    _: &polar::Quaternion<f64>,
+    _: &[[f64; 3]; 3],
+) -> f64 {
+    0.0
+}
+
+/// Whether a tetrahedron has failed.
+fn is_broken(state: &StateRef<'_>, block: usize, lane: usize) -> bool {
+    #[cfg(feature = "fracture")]
+    return state.is_broken(block * BLOCK + lane);
+    #[cfg(not(feature = "fracture"))]
+    {
+        _ = (state, block, lane);
+        false
+    }
 }
 
 /// Linear and angular momentum about the origin.
@@ -92,12 +145,12 @@ pub fn momenta<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>) -> Momenta {
     sum
 }
 
-/// The smallest det F of all tetrahedra: 1 at rest, negative where one is inverted. Infinite for a
+/// The smallest det F of all tetrahedra that have not broken: 1 at rest, negative where one is inverted. Infinite for a
 /// body without any.
 #[must_use]
 pub fn min_det<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>) -> f64 {
     let mut least = f64::INFINITY;
-    each_tet(rest, state, |_, f, _| {
+    each_tet(rest, state, |Tet { f, .. }| {
         let det = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1])
             + f[0][1] * (f[1][2] * f[2][0] - f[1][0] * f[2][2])
             + f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
@@ -108,16 +161,24 @@ pub fn min_det<L: Layout>(rest: &Rest<'_, L>, state: &StateRef<'_>) -> f64 {
     least
 }
 
-/// Visits every tetrahedron (no padding) with its edges, F, and stored rotation, in f64.
+/// A tetrahedron in f64: its edges, F, its stored rotation, and its block.
+struct Tet<'a, L: Layout> {
+    bite: Bite<'a, L, f64>,
+    f: [[f64; 3]; 3],
+    stored: polar::Quaternion<f64>,
+    block: usize,
+}
+
+/// Visits every tetrahedron: no padding, and none that has failed.
 fn each_tet<L: Layout>(
     rest: &Rest<'_, L>,
     state: &StateRef<'_>,
-    mut visit: impl FnMut(&Bite<'_, L, f64>, &[[f64; 3]; 3], [f64; 4]),
+    mut visit: impl FnMut(&Tet<'_, L>),
 ) {
     let mut left = rest.header.tets as usize;
     let blocks = rest.blocks.iter().zip(rest.stiffness).zip(state.rotations);
-    for ((tet, stiffness), rotation) in blocks {
-        for lane in 0..BLOCK.min(left) {
+    for (block, ((tet, stiffness), rotation)) in blocks.enumerate() {
+        for lane in (0..BLOCK.min(left)).filter(|&lane| !is_broken(state, block, lane)) {
             let corner_edges = |positions: &[[f32; 3]]| {
                 edges(&tet.corners.map(|corner| {
                     positions
@@ -135,11 +196,12 @@ fn each_tet<L: Layout>(
                 rest_edges: corner_edges(rest.nodes),
             };
             let g = tet.gradients.map(|g| g.map(|axis| f64::from(axis[lane])));
-            visit(
-                &bite,
-                &deformation(&bite.edges, &g),
-                rotation.0.map(|c| f64::from(c[lane])),
-            );
+            visit(&Tet {
+                f: deformation(&bite.edges, &g),
+                stored: rotation.0.map(|c| f64::from(c[lane])),
+                bite,
+                block,
+            });
         }
         left = left.saturating_sub(BLOCK);
     }
@@ -165,6 +227,24 @@ impl StateHash {
         let bytes = x.iter().chain(v).flatten().flat_map(|c| c.to_le_bytes());
         self.0 = fnv1a(self.0, bytes);
         self
+    }
+
+    /// With one more body: [`Self::with`], and then, where it has them, its plastic strain (six numbers a
+    /// tetrahedron: xx, xy, xz, yy, yz, zz) and what has broken (1.0, or 0.0 where whole), block by block.
+    #[must_use]
+    pub fn with_state(self, state: &StateRef<'_>) -> Self {
+        #[allow(unused_mut, reason = "not without features")]
+        let mut hash = self.with(state.x, state.v);
+        #[cfg(feature = "plasticity")]
+        for block in state.plastic {
+            let numbers = block.0.as_flattened().iter();
+            hash.0 = fnv1a(hash.0, numbers.flat_map(|c| c.to_le_bytes()));
+        }
+        #[cfg(feature = "fracture")]
+        for block in state.broken {
+            hash.0 = fnv1a(hash.0, block.0.iter().flat_map(|c| c.to_le_bytes()));
+        }
+        hash
     }
 
     /// Its value, to be printed as 16 hex digits.

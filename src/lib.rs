@@ -110,6 +110,9 @@ pub mod cost;
 pub mod element;
 pub mod energy;
 mod fan;
+#[cfg(feature = "fracture")]
+pub mod fracture;
+mod inelastic;
 pub mod lane;
 pub mod material;
 pub mod math;
@@ -119,6 +122,8 @@ pub mod operator;
 pub mod order;
 #[cfg(feature = "alloc")]
 pub mod owned;
+#[cfg(feature = "plasticity")]
+pub mod plasticity;
 pub mod polar;
 pub mod preconditioner;
 pub mod report;
@@ -135,11 +140,15 @@ pub use asset::{Asset, AssetError};
 pub use body::Body;
 pub use collider::Collider;
 pub use constraint::Pin;
+#[cfg(feature = "fracture")]
+pub use fracture::Fracture;
 pub use lane::blocks;
 pub use material::{Material, Materials, Regions};
 pub use mesh::Mesh;
 #[cfg(feature = "alloc")]
 pub use owned::OwnedBody;
+#[cfg(feature = "plasticity")]
+pub use plasticity::Plasticity;
 pub use preconditioner::{Factor, Preconditioner};
 pub use report::{Refusal, StepReport};
 pub use scene::Scene;

@@ -89,6 +89,13 @@ impl Mask {
         )
     }
 
+    /// [`Self::pick`] for whole numbers.
+    #[inline]
+    #[must_use]
+    pub fn pick_u32(self, yes: u32, no: u32) -> u32 {
+        (yes & self.0) | (no & !self.0)
+    }
+
     /// `x` if the condition held, else 0, also where `x` is NaN.
     #[inline]
     #[must_use]

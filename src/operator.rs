@@ -7,6 +7,7 @@
 use crate::algebra::{each3, each4, scale3, zero3};
 use crate::element::{Bite, Layout, Sym3, deformation, gradients};
 use crate::fan::{Edges, Sums, fans, lanes, last};
+use crate::inelastic::Share;
 use crate::lane::{BLOCK, Lanes};
 use crate::polar::{self, Quaternion};
 use crate::rest::Rest;
@@ -140,14 +141,30 @@ pub fn rotate<R: Lanes, L: Layout>(
     rotated: &mut [L::Rotated],
     out: &mut [[f32; 3]],
 ) {
+    let whole = core::iter::repeat(());
+    rotate_shares::<R, L, ()>(rest, x, rotations, whole, scale, rotated, out);
+}
+
+/// [`rotate`] of those tetrahedra that are there.
+#[inline(always)]
+pub(crate) fn rotate_shares<R: Lanes, L: Layout, S: Share>(
+    rest: &Rest<'_, L>,
+    x: &[[f32; 3]],
+    rotations: &[RotationBlock],
+    shares: impl Iterator<Item = S>,
+    scale: f32,
+    rotated: &mut [L::Rotated],
+    out: &mut [[f32; 3]],
+) {
     let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
-    let mut blocks = rest.stiffness.iter().zip(rotations).zip(rotated);
+    let blocks = rest.stiffness.iter().zip(rotations).zip(rotated);
+    let mut blocks = blocks.zip(shares);
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         // Dead code where the layout does not ask for them.
         let mut rest_edges = Edges::<R>::open(rest.nodes, fan);
         let mut sums = Sums::<R>::open();
-        for (tet, ((stiffness, rotation), rotated)) in fan.iter().zip(blocks.by_ref()) {
+        for (tet, (((stiffness, rotation), rotated), share)) in fan.iter().zip(blocks.by_ref()) {
             let edges = edges.as_mut().iter_mut().zip(rest_edges.as_mut());
             let bites = edges.zip(sums.as_mut());
             for (((edges, rest_edges), sums), at) in bites.zip(lanes::<R>()) {
@@ -163,7 +180,8 @@ pub fn rotate<R: Lanes, L: Layout>(
                     rest_edges: rest_edges.unwrap_or([zero3(); 3]),
                 };
                 let q = polar::matrix(&rotation.load::<R>(at));
-                let f = L::rotate(&bite, &q, unit, rotated);
+                let f = L::rotate(&bite, &q, share.of(unit, at), rotated);
+                let scale = share.of(scale, at);
                 let f = each3(f, |f| scale3(&f, scale));
                 sums.add_balanced(&f, out, &tet.corners, at);
             }

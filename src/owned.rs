@@ -8,10 +8,14 @@ use glam::Vec3;
 use crate::body::{StateError, StateMut, StateRef, WorkspaceMut, body_methods};
 use crate::element::{Dense, DenseBlocks, Elasticity, Factored, Layout, Sym3, elastic_blocks};
 use crate::energy::{self, Energies, Momenta};
+#[cfg(feature = "fracture")]
+use crate::fracture::BrokenBlock;
 use crate::lane::{BLOCK, Native, blocks};
 use crate::material::Materials;
 use crate::mesh::{Mesh, MeshError, shape};
 use crate::operator::{Fit, RotationBlock, fit_rotations};
+#[cfg(feature = "plasticity")]
+use crate::plasticity::PlasticBlock;
 use crate::rest::{self, Header, Rest, RestMut, TetBlock, to_f32};
 use crate::settings::{Needs, Settings};
 use crate::step::{Scene, StepReport, step};
@@ -113,19 +117,27 @@ pub struct OwnedState {
     v: Vec<[f32; 3]>,
     history: Vec<[f32; 3]>,
     rotations: Vec<RotationBlock>,
+    #[cfg(feature = "plasticity")]
+    plastic: Vec<PlasticBlock>,
+    #[cfg(feature = "fracture")]
+    broken: Vec<BrokenBlock>,
 }
 
 impl OwnedState {
     /// At rest in the rest shape, with the history that a start, or settings, need.
     #[must_use]
     pub fn new<L: Layout>(rest: &Rest<'_, L>, needs: impl Into<Needs>) -> Self {
-        let nodes = rest.nodes.len();
+        let (nodes, needs) = (rest.nodes.len(), needs.into());
         let mut rotations = vec![RotationBlock::ZERO; rest.blocks.len()];
         fit_rotations::<Native, L>(rest, rest.nodes, Fit::Cold, &mut rotations);
         Self {
             x: rest.nodes.to_vec(),
             v: vec![[0.0; 3]; nodes],
-            history: vec![[0.0; 3]; needs.into().history * nodes],
+            history: vec![[0.0; 3]; needs.history * nodes],
+            #[cfg(feature = "plasticity")]
+            plastic: vec![PlasticBlock::ZERO; if needs.plastic { rotations.len() } else { 0 }],
+            #[cfg(feature = "fracture")]
+            broken: vec![BrokenBlock::ZERO; if needs.broken { rotations.len() } else { 0 }],
             rotations,
         }
     }
@@ -138,6 +150,10 @@ impl OwnedState {
             v: &self.v,
             history: &self.history,
             rotations: &self.rotations,
+            #[cfg(feature = "plasticity")]
+            plastic: &self.plastic,
+            #[cfg(feature = "fracture")]
+            broken: &self.broken,
         }
     }
 
@@ -149,6 +165,10 @@ impl OwnedState {
             v: &mut self.v,
             history: &mut self.history,
             rotations: &mut self.rotations,
+            #[cfg(feature = "plasticity")]
+            plastic: &mut self.plastic,
+            #[cfg(feature = "fracture")]
+            broken: &mut self.broken,
         }
     }
 }

@@ -124,7 +124,7 @@ fn rotate_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
 
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
 #[inline(always)]
-fn direction<R: Real>(a: R, d: R) -> (R, R) {
+pub(crate) fn direction<R: Real>(a: R, d: R) -> (R, R) {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let square = a * a + d * d;
     let none = square.below(R::splat(1e-30));
@@ -138,7 +138,7 @@ fn direction<R: Real>(a: R, d: R) -> (R, R) {
 /// A vector along (cos φ/2, sin φ/2), of length between √2 and 2. The two forms of the half-angle
 /// formula are each exact on one half of the circle.
 #[inline(always)]
-fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
+pub(crate) fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
     R::swap(c.below(R::splat(0.0)), R::splat(1.0) + c.abs(), s)
 }
 

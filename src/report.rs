@@ -1,5 +1,8 @@
 //! What a step says of itself.
 
+#[cfg(feature = "fracture")]
+use crate::fracture::FractureReport;
+
 /// Why a step was refused. The state is as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -31,6 +34,12 @@ pub enum Refusal {
     Aggregates,
     /// The preconditioner needs more coarse workspace than there is.
     Coarse,
+    /// The settings ask for plastic flow, and the state has no room for plastic strain.
+    #[cfg(feature = "plasticity")]
+    Plasticity,
+    /// The settings ask for fracture, and the state has no room for what has broken.
+    #[cfg(feature = "fracture")]
+    Fracture,
 }
 
 impl core::fmt::Display for Refusal {
@@ -49,6 +58,10 @@ impl core::fmt::Display for Refusal {
             Self::Coarse => {
                 f.write_str("the preconditioner needs more coarse workspace than there is")
             }
+            #[cfg(feature = "plasticity")]
+            Self::Plasticity => f.write_str("the state has no room for plastic strain"),
+            #[cfg(feature = "fracture")]
+            Self::Fracture => f.write_str("the state has no room for what has broken"),
             Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
         }
     }
@@ -70,17 +83,33 @@ pub struct StepReport {
     pub updates: u32,
     /// Contacts between nodes and colliders.
     pub contacts: u32,
+    /// Energy that plastic flow took in this step, in joules; not negative.
+    #[cfg(feature = "plasticity")]
+    pub dissipated: f32,
+    /// What broke, and what may still.
+    #[cfg(feature = "fracture")]
+    pub fracture: FractureReport,
 }
 
 impl StepReport {
+    /// Of a step that did nothing.
+    pub(crate) const NOTHING: Self = Self {
+        refusal: None,
+        rhs: 0.0,
+        residual_before: 0.0,
+        residual_after: 0.0,
+        updates: 0,
+        contacts: 0,
+        #[cfg(feature = "plasticity")]
+        dissipated: 0.0,
+        #[cfg(feature = "fracture")]
+        fracture: FractureReport::NOTHING,
+    };
+
     pub(crate) fn refused(refusal: Refusal) -> Self {
         Self {
             refusal: Some(refusal),
-            rhs: 0.0,
-            residual_before: 0.0,
-            residual_after: 0.0,
-            updates: 0,
-            contacts: 0,
+            ..Self::NOTHING
         }
     }
 

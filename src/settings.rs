@@ -2,6 +2,10 @@
 
 use core::fmt;
 
+#[cfg(feature = "fracture")]
+use crate::fracture::Fracture;
+#[cfg(feature = "plasticity")]
+use crate::plasticity::Plasticity;
 pub use crate::preconditioner::Preconditioner;
 
 /// How much work a step may do. It does exactly this much.
@@ -92,6 +96,12 @@ pub struct Needs {
     pub vectors: usize,
     /// Numbers of a coarse solve: [`Preconditioner::coarse_length`].
     pub coarse: usize,
+    /// Plastic strain of every tetrahedron.
+    #[cfg(feature = "plasticity")]
+    pub plastic: bool,
+    /// Of every tetrahedron, whether it has broken.
+    #[cfg(feature = "fracture")]
+    pub broken: bool,
 }
 
 impl From<Start> for Needs {
@@ -99,7 +109,7 @@ impl From<Start> for Needs {
         Self {
             history: start.history(),
             vectors: start.vectors(),
-            coarse: 0,
+            ..Self::default()
         }
     }
 }
@@ -108,6 +118,10 @@ impl From<&Settings<'_>> for Needs {
     fn from(settings: &Settings<'_>) -> Self {
         Self {
             coarse: settings.preconditioner.coarse_length(),
+            #[cfg(feature = "plasticity")]
+            plastic: settings.plasticity.is_some(),
+            #[cfg(feature = "fracture")]
+            broken: settings.fracture.is_some(),
             ..settings.start.into()
         }
     }
@@ -124,6 +138,12 @@ pub struct Settings<'a> {
     pub start: Start,
     /// Preconditioner of the solver.
     pub preconditioner: Preconditioner<'a>,
+    /// Plastic flow, if any.
+    #[cfg(feature = "plasticity")]
+    pub plasticity: Option<Plasticity>,
+    /// Fracture, if any.
+    #[cfg(feature = "fracture")]
+    pub fracture: Option<Fracture>,
 }
 
 /// Which setting is out of its range; it carries the value.
@@ -162,6 +182,10 @@ impl<'a> Settings<'a> {
             budget: Budget::DEFAULT,
             start: Start::Galerkin(1),
             preconditioner: Preconditioner::Jacobi,
+            #[cfg(feature = "plasticity")]
+            plasticity: None,
+            #[cfg(feature = "fracture")]
+            fracture: None,
         })
     }
 
@@ -194,6 +218,26 @@ impl<'a> Settings<'a> {
     pub const fn with_preconditioner(self, preconditioner: Preconditioner<'a>) -> Self {
         Self {
             preconditioner,
+            ..self
+        }
+    }
+
+    /// With plastic flow. The state needs room for it.
+    #[cfg(feature = "plasticity")]
+    #[must_use]
+    pub const fn with_plasticity(self, plasticity: Plasticity) -> Self {
+        Self {
+            plasticity: Some(plasticity),
+            ..self
+        }
+    }
+
+    /// With fracture. The state needs room for it.
+    #[cfg(feature = "fracture")]
+    #[must_use]
+    pub const fn with_fracture(self, fracture: Fracture) -> Self {
+        Self {
+            fracture: Some(fracture),
             ..self
         }
     }

@@ -1,15 +1,22 @@
-//! A body's state: x, v, their history, and the rotations. All that a snapshot must save for a replay
-//! that is exact to the bit.
+//! A body's state: x, v, their history, and the rotations; where a body flows or breaks, its plastic strain and what
+//! of it has broken. All that a snapshot must save for a replay that is exact to the bit.
 
 use crate::element::Layout;
+#[cfg(feature = "fracture")]
+use crate::fracture::BrokenBlock;
 use crate::lane::{BLOCK, Native};
 use crate::mesh::MeshError;
 use crate::operator::{Fit, RotationBlock, fit_rotations};
+#[cfg(feature = "plasticity")]
+use crate::plasticity::PlasticBlock;
 use crate::rest::Rest;
 use crate::vector::copy;
 
 /// A body's state, borrowed for reading.
+///
+/// More fields come with features; [`StateRef::new`] makes one.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct StateRef<'a> {
     /// Positions, metres.
     pub x: &'a [[f32; 3]],
@@ -19,10 +26,49 @@ pub struct StateRef<'a> {
     pub history: &'a [[f32; 3]],
     /// Rotations of the tetrahedra.
     pub rotations: &'a [RotationBlock],
+    /// Plastic strain of the tetrahedra, or empty.
+    #[cfg(feature = "plasticity")]
+    pub plastic: &'a [PlasticBlock],
+    /// Which of the tetrahedra have broken, or empty.
+    #[cfg(feature = "fracture")]
+    pub broken: &'a [BrokenBlock],
+}
+
+impl<'a> StateRef<'a> {
+    /// Whether tetrahedron `tet` has failed.
+    #[cfg(feature = "fracture")]
+    #[must_use]
+    pub fn is_broken(&self, tet: usize) -> bool {
+        let block = self.broken.get(tet / BLOCK);
+        block.is_some_and(|block| block.0[tet % BLOCK] > 0.5)
+    }
+
+    /// Of a body that neither flows nor breaks.
+    #[must_use]
+    pub const fn new(
+        x: &'a [[f32; 3]],
+        v: &'a [[f32; 3]],
+        history: &'a [[f32; 3]],
+        rotations: &'a [RotationBlock],
+    ) -> Self {
+        Self {
+            x,
+            v,
+            history,
+            rotations,
+            #[cfg(feature = "plasticity")]
+            plastic: &[],
+            #[cfg(feature = "fracture")]
+            broken: &[],
+        }
+    }
 }
 
 /// A body's state, borrowed for a step.
+///
+/// More fields come with features; [`StateMut::new`] makes one.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct StateMut<'a> {
     /// Positions, metres.
     pub x: &'a mut [[f32; 3]],
@@ -32,6 +78,34 @@ pub struct StateMut<'a> {
     pub history: &'a mut [[f32; 3]],
     /// Rotations of the tetrahedra.
     pub rotations: &'a mut [RotationBlock],
+    /// Plastic strain of the tetrahedra, or empty.
+    #[cfg(feature = "plasticity")]
+    pub plastic: &'a mut [PlasticBlock],
+    /// Which of the tetrahedra have broken, or empty.
+    #[cfg(feature = "fracture")]
+    pub broken: &'a mut [BrokenBlock],
+}
+
+impl<'a> StateMut<'a> {
+    /// Of a body that neither flows nor breaks.
+    #[must_use]
+    pub const fn new(
+        x: &'a mut [[f32; 3]],
+        v: &'a mut [[f32; 3]],
+        history: &'a mut [[f32; 3]],
+        rotations: &'a mut [RotationBlock],
+    ) -> Self {
+        Self {
+            x,
+            v,
+            history,
+            rotations,
+            #[cfg(feature = "plasticity")]
+            plastic: &mut [],
+            #[cfg(feature = "fracture")]
+            broken: &mut [],
+        }
+    }
 }
 
 /// Why a state was not taken over.
@@ -69,7 +143,7 @@ impl core::error::Error for StateError {}
 
 impl StateMut<'_> {
     /// Places the body: positions (metres) and velocities (m/s), one a node. Fits the rotations from
-    /// nothing, and forgets the history.
+    /// nothing, and forgets the history, plastic strain and what has broken.
     ///
     /// # Errors
     /// [`StateError`]; the state is then as it was.
@@ -94,11 +168,21 @@ impl StateMut<'_> {
         }
         copy(self.x, x);
         copy(self.v, v);
-        self.history.fill([0.0; 3]);
-        fit_rotations::<Native, L>(rest, self.x, Fit::Cold, self.rotations);
+        self.renew(rest);
         Ok(())
     }
+
+    /// As if it had always been at x: all but x and v.
+    fn renew<L: Layout>(&mut self, rest: &Rest<'_, L>) {
+        self.history.fill([0.0; 3]);
+        fit_rotations::<Native, L>(rest, self.x, Fit::Cold, self.rotations);
+        #[cfg(feature = "plasticity")]
+        self.plastic.fill(PlasticBlock::ZERO);
+        #[cfg(feature = "fracture")]
+        self.broken.fill(BrokenBlock::ZERO);
+    }
 }
+
 /// Bytes of state: `nodes` nodes, [`blocks`](crate::lane::blocks) blocks of tetrahedra, and so many past velocities
 /// ([`Start::history`](crate::settings::Start::history)).
 #[must_use]
@@ -106,21 +190,46 @@ pub const fn state_bytes(nodes: usize, blocks: usize, history: usize) -> usize {
     (2 + history) * nodes * size_of::<[f32; 3]>() + blocks * size_of::<RotationBlock>()
 }
 
+/// Bytes of state that plastic strain takes besides.
+#[cfg(feature = "plasticity")]
+#[must_use]
+pub const fn plastic_bytes(blocks: usize) -> usize {
+    blocks * size_of::<PlasticBlock>()
+}
+
+/// Bytes of state that fracture takes besides.
+#[cfg(feature = "fracture")]
+#[must_use]
+pub const fn broken_bytes(blocks: usize) -> usize {
+    blocks * size_of::<BrokenBlock>()
+}
+
 /// State of a body of up to `NODES` nodes and `BLOCKS` blocks of eight tetrahedra, with `HISTORY`
-/// past velocities.
+/// past velocities. `DAMAGE` is 0, or `BLOCKS` for a body that flows or breaks (what the features make possible).
 ///
 /// `Clone` is left out so that no copy passes over the stack; [`State::copy_from`] is the snapshot.
 #[derive(Debug)]
-pub struct State<const NODES: usize, const BLOCKS: usize, const HISTORY: usize = 0> {
+pub struct State<
+    const NODES: usize,
+    const BLOCKS: usize,
+    const HISTORY: usize = 0,
+    const DAMAGE: usize = 0,
+> {
     nodes: usize,
     blocks: usize,
     x: [[f32; 3]; NODES],
     v: [[f32; 3]; NODES],
     history: [[[f32; 3]; NODES]; HISTORY],
     rotations: [RotationBlock; BLOCKS],
+    #[cfg(feature = "plasticity")]
+    plastic: [PlasticBlock; DAMAGE],
+    #[cfg(feature = "fracture")]
+    broken: [BrokenBlock; DAMAGE],
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES, BLOCKS, HISTORY> {
+impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const DAMAGE: usize>
+    State<NODES, BLOCKS, HISTORY, DAMAGE>
+{
     /// Nothing yet. All bits zero.
     #[must_use]
     pub const fn new() -> Self {
@@ -131,6 +240,10 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
             v: [[0.0; 3]; NODES],
             history: [[[0.0; 3]; NODES]; HISTORY],
             rotations: [RotationBlock::ZERO; BLOCKS],
+            #[cfg(feature = "plasticity")]
+            plastic: [PlasticBlock::ZERO; DAMAGE],
+            #[cfg(feature = "fracture")]
+            broken: [BrokenBlock::ZERO; DAMAGE],
         }
     }
 
@@ -153,11 +266,10 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
             });
         }
         (self.nodes, self.blocks) = (nodes, blocks);
-        let state = self.view_mut();
+        let mut state = self.view_mut();
         copy(state.x, rest.nodes);
         state.v.fill([0.0; 3]);
-        state.history.fill([0.0; 3]);
-        fit_rotations::<Native, L>(rest, state.x, Fit::Cold, state.rotations);
+        state.renew(rest);
         Ok(())
     }
 
@@ -168,6 +280,10 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
         self.v.copy_from_slice(&other.v);
         self.history.copy_from_slice(&other.history);
         self.rotations.copy_from_slice(&other.rotations);
+        #[cfg(feature = "plasticity")]
+        self.plastic.copy_from_slice(&other.plastic);
+        #[cfg(feature = "fracture")]
+        self.broken.copy_from_slice(&other.broken);
     }
 
     /// Borrows it for reading.
@@ -182,6 +298,10 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
                 .get(..HISTORY * self.nodes)
                 .unwrap_or_default(),
             rotations: self.rotations.get(..self.blocks).unwrap_or_default(),
+            #[cfg(feature = "plasticity")]
+            plastic: self.plastic.get(..self.blocks).unwrap_or_default(),
+            #[cfg(feature = "fracture")]
+            broken: self.broken.get(..self.blocks).unwrap_or_default(),
         }
     }
 
@@ -197,12 +317,16 @@ impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> State<NODES,
                 .get_mut(..HISTORY * self.nodes)
                 .unwrap_or_default(),
             rotations: self.rotations.get_mut(..self.blocks).unwrap_or_default(),
+            #[cfg(feature = "plasticity")]
+            plastic: self.plastic.get_mut(..self.blocks).unwrap_or_default(),
+            #[cfg(feature = "fracture")]
+            broken: self.broken.get_mut(..self.blocks).unwrap_or_default(),
         }
     }
 }
 
-impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize> Default
-    for State<NODES, BLOCKS, HISTORY>
+impl<const NODES: usize, const BLOCKS: usize, const HISTORY: usize, const DAMAGE: usize> Default
+    for State<NODES, BLOCKS, HISTORY, DAMAGE>
 {
     fn default() -> Self {
         Self::new()

@@ -26,9 +26,10 @@ use crate::cg::{self, System};
 use crate::constraint::{ContactStep, Decisions, land, pin, touch};
 use crate::element::{Layout, Sym3};
 use crate::fan;
+use crate::inelastic;
 use crate::lane::Lanes;
 use crate::math::{power_of_two_below, ratio_or_zero, select, sqrt};
-use crate::operator::{Fit, Operator, fit_rotations, rotate};
+use crate::operator::{Fit, Operator, fit_rotations};
 use crate::preconditioner::{Preconditioner, Prepared, Room};
 pub use crate::report::{Refusal, StepReport};
 use crate::rest::Rest;
@@ -151,14 +152,7 @@ fn checked_step<R: Lanes, L: Layout>(
 
     // b = M v + h f
     external_impulses(rest, state, scene, &units, work.r);
-    rotate::<R, L>(
-        rest,
-        state.x,
-        state.rotations,
-        units.dt / units.impulse,
-        work.rotated,
-        work.r,
-    );
+    inelastic::rotate_state::<R, L>(rest, state, units.dt / units.impulse, work.rotated, work.r);
 
     let [mass, stiffness] = units.system;
     for (inertia, m) in work.inertia.iter_mut().zip(rest.masses) {
@@ -328,14 +322,15 @@ fn checked_step<R: Lanes, L: Layout>(
         Fit::Warm(settings.budget.polar_sweeps),
         state.rotations,
     );
-    StepReport {
-        refusal: None,
+    let report = StepReport {
         rhs,
         residual_before,
         residual_after,
         updates,
         contacts,
-    }
+        ..StepReport::NOTHING
+    };
+    inelastic::update::<R, L>(rest, state, settings, report)
 }
 
 fn check<L: Layout>(
@@ -370,6 +365,7 @@ fn check<L: Layout>(
     {
         return Err(Refusal::Storage);
     }
+    inelastic::check(blocks, state, settings)?;
     if state.history.len() < settings.start.history() * nodes {
         return Err(Refusal::History);
     }

@@ -303,12 +303,7 @@ fn force_is_slope<L: Layout>() {
                     let mut x = x.clone();
                     x.as_flattened_mut()[dof] += step;
                     let (v, history) = (&[], &[]);
-                    let state = StateRef {
-                        x: &x,
-                        v,
-                        history,
-                        rotations,
-                    };
+                    let state = StateRef::new(&x, v, history, rotations);
                     energy::elastic(&body.rest.view(), &state, kind)
                 };
                 (energy(step) - energy(-step)) / (2.0 * f64::from(step))

@@ -116,11 +116,9 @@ fn step_fixed<L: Layout>(
         let fixed_report = fixed.step(&scene.view(), settings);
         assert_eq!(report_bits(&fixed_report), report_bits(report));
         // Arrays keep all the history that there is room for.
-        let without_history = |state| {
-            bits(&StateRef {
-                history: &[],
-                ..state
-            })
+        let without_history = |mut state: StateRef<'_>| {
+            state.history = &[];
+            bits(&state)
         };
         assert_eq!(
             without_history(fixed.state().view()),

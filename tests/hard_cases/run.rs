@@ -207,10 +207,8 @@ fn frozen(body: &OwnedBody, rotations: &StateRef<'_>, state: StateRef<'_>) -> f6
         .zip(state.v)
         .map(|(m, v)| 0.5 * f64::from(*m) * v.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>())
         .sum();
-    let view = StateRef {
-        rotations: rotations.rotations,
-        ..state
-    };
+    let mut view = state;
+    view.rotations = rotations.rotations;
     kinetic + energy::elastic(&rest, &view, Rotations::Stored)
 }
 

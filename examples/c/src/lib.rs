@@ -361,12 +361,12 @@ unsafe fn cut_state<'a>(
     let mut cutter = piece.cutter();
     // SAFETY: the caller's.
     unsafe {
-        Ok(StateMut {
-            x: cutter.take(nodes)?,
-            v: cutter.take(nodes)?,
-            history: cutter.take(nodes * history)?,
-            rotations: cutter.take(blocks(tets))?,
-        })
+        Ok(StateMut::new(
+            cutter.take(nodes)?,
+            cutter.take(nodes)?,
+            cutter.take(nodes * history)?,
+            cutter.take(blocks(tets))?,
+        ))
     }
 }
 
@@ -399,12 +399,12 @@ unsafe fn read_state<'a>(piece: Piece) -> Result<StateRef<'a>, FemtoStatus> {
     unsafe {
         let head = piece.expect(STATE)?;
         let state = state_of(piece, &head)?;
-        Ok(StateRef {
-            x: state.x,
-            v: state.v,
-            history: state.history,
-            rotations: state.rotations,
-        })
+        Ok(StateRef::new(
+            state.x,
+            state.v,
+            state.history,
+            state.rotations,
+        ))
     }
 }
 

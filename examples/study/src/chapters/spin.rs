@@ -2,7 +2,6 @@
 
 use femto::energy::{self, Rotations};
 use femto::owned::OwnedState;
-use femto::state::StateRef;
 use femto::{Budget, Start};
 
 use crate::Run;
@@ -91,10 +90,8 @@ fn stored_energy(ours: &Ours, rotations: &OwnedState) -> f64 {
     let kinetic: f64 = each
         .map(|(m, v)| 0.5 * f64::from(*m) * square(v.map(f64::from)))
         .sum();
-    let view = StateRef {
-        rotations: rotations.view().rotations,
-        ..now
-    };
+    let mut view = now;
+    view.rotations = rotations.view().rotations;
     kinetic + energy::elastic(&rest, &view, Rotations::Stored)
 }
 
