@@ -266,3 +266,48 @@ pub(crate) fn greatest_eigenvalue<R: Real>(s: &[[R; 3]; 3]) -> R {
     let most = most.where_below(c, c, most);
     R::splat(0.0).where_below(inverse, most * usable, zero)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix3;
+    use proptest::prelude::*;
+
+    fn compare(s: Matrix3<f64>) {
+        let rounded = s.map(|x| x as f32);
+        let exact = rounded.map(f64::from).symmetric_eigenvalues().max();
+        let rows = core::array::from_fn(|i| core::array::from_fn(|j| rounded[(i, j)]));
+        let found = f64::from(greatest_eigenvalue::<f32>(&rows));
+        let size = rounded.map(f64::from).norm();
+        assert!(
+            (found - exact).abs() <= 2e-6 * size,
+            "{found:e}, {exact:e}: {rounded}"
+        );
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5000))]
+        #[test]
+        fn the_greatest_eigenvalue_is_found(
+            entries in prop::array::uniform6(-1.0..1.0_f64),
+            values in prop::array::uniform3(prop::sample::select([-1.0, 0.0, 1e-4, 1.0, 1.0001].as_slice())),
+            scale in -30.0..30.0_f64,
+        ) {
+            let [a, b, c, d, e, f] = entries;
+            let s = Matrix3::new(a, b, c, b, d, e, c, e, f);
+            compare(s * 10_f64.powf(scale));
+            // Equal and nearly equal ones, in any frame.
+            let frame = s.symmetric_eigen().eigenvectors;
+            compare(frame * Matrix3::from_diagonal(&values.into()) * frame.transpose());
+        }
+    }
+
+    #[test]
+    fn corners_of_its_range() {
+        assert_eq!(greatest_eigenvalue::<f32>(&[[0.0; 3]; 3]), 0.0);
+        assert_eq!(greatest_eigenvalue::<f32>(&[[f32::NAN; 3]; 3]), 0.0);
+        assert_eq!(greatest_eigenvalue::<f32>(&[[f32::MAX; 3]; 3]), 0.0);
+        compare(Matrix3::new(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+        compare(Matrix3::from_diagonal_element(-1.0));
+    }
+}
