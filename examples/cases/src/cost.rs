@@ -41,7 +41,15 @@ pub struct Room {
     factors: FactorRoom<NODES, { 7 * NODES }>,
 }
 
-type AnyBody = Body<NODES, { blocks(TETS) }, HISTORY, VECTORS, femto::element::Factored, COARSE>;
+const BLOCKS: usize = blocks(TETS);
+/// Blocks that can flow and break.
+const DAMAGE: usize = if cfg!(feature = "inelastic") {
+    BLOCKS
+} else {
+    0
+};
+
+type AnyBody = Body<NODES, BLOCKS, HISTORY, VECTORS, femto::element::Factored, COARSE, DAMAGE>;
 
 impl Room {
     /// Empty.
@@ -107,6 +115,8 @@ struct Case {
     theta: f32,
     gravity: f32,
     dt: f32,
+    /// Flows and breaks, with the feature `inelastic`.
+    inelastic: bool,
 }
 
 const PLAIN: Case = Case {
@@ -123,6 +133,7 @@ const PLAIN: Case = Case {
     theta: 1.0,
     gravity: -9.81,
     dt: 1.0 / 60.0,
+    inelastic: false,
 };
 
 /// Steps of the 64-node cube in every state, for every preconditioner and start; free and touching two colliders,
@@ -151,6 +162,7 @@ pub fn prove(
                     colliders,
                     gravity,
                     dt,
+                    inelastic: true,
                     ..PLAIN
                 };
                 for state in STATES {
@@ -401,6 +413,11 @@ fn counted(
         .with_start(case.start.1)
         .with_preconditioner(preconditioner)
         .with_budget(case.budget);
+    let settings = if case.inelastic {
+        inelastic(settings)?
+    } else {
+        settings
+    };
     if name == REFUSED {
         if body.step(&scene, &settings).advanced() {
             return Err(BadCase);
@@ -425,6 +442,21 @@ fn counted(
     } else {
         Err(BadCase)
     }
+}
+
+/// Some of it yields and breaks in most states, none in others.
+#[cfg(feature = "inelastic")]
+fn inelastic(settings: Settings<'_>) -> Result<Settings<'_>, BadCase> {
+    use femto::{Fracture, Plasticity};
+    let plasticity = Plasticity::new(0.01, 0.1).and_then(|law| law.with_relaxation(0.1));
+    let fracture = Fracture::new(1e5, 4, 10).map_err(|_| BadCase)?;
+    let settings = settings.with_plasticity(plasticity.map_err(|_| BadCase)?);
+    Ok(settings.with_fracture(fracture))
+}
+
+#[cfg(not(feature = "inelastic"))]
+fn inelastic(settings: Settings<'_>) -> Result<Settings<'_>, BadCase> {
+    Ok(settings)
 }
 
 /// The step as firmware would call it: neither its settings nor its scene are known to the compiler.
