@@ -387,8 +387,12 @@ fn displacement<L: Layout, R: Real>(bite: &Bite<'_, L, R>, q: &[[R; 3]; 3]) -> [
 }
 
 /// Elasticity in Voigt's notation, in pascals: σ = C ε with the components xx, yy, zz, yz, xz, xy
-/// and engineering shear strains. Must be symmetric and positive semidefinite.
+/// and engineering shear strains. Must be symmetric and positive semidefinite. [`elasticity`](crate::elasticity) makes
+/// some.
 pub type Elasticity = [[f64; 6]; 6];
+
+/// Place of the components (i, j) in Voigt's notation.
+pub(crate) const VOIGT: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
 
 /// The six off-diagonal rest blocks of a tetrahedron of any linear elastic material:
 /// (K_ij)_ab = V Σ_cd C_acbd g_i,c g_j,d, from its volume (m³) and gradients (1/m).
@@ -398,7 +402,6 @@ pub fn elastic_blocks(
     gradients: &[[f64; 3]; 3],
     c: &Elasticity,
 ) -> [[[f64; 3]; 3]; 6] {
-    const VOIGT: [[usize; 3]; 3] = [[0, 5, 4], [5, 1, 3], [4, 3, 2]];
     let g = balanced(*gradients);
     PAIRS.map(|(i, j)| {
         core::array::from_fn(|a| {

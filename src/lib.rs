@@ -107,6 +107,7 @@ pub mod choosing {}
 pub mod collider;
 pub mod constraint;
 pub mod cost;
+pub mod elasticity;
 pub mod element;
 pub mod energy;
 mod fan;
