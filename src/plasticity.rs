@@ -134,6 +134,13 @@ impl PlasticBlock {
     /// No plastic strain. All bits zero.
     pub const ZERO: Self = Self([[0.0; BLOCK]; 6]);
 
+    /// Frobenius' norm of lane `at`.
+    #[must_use]
+    pub fn norm(&self, at: usize) -> f32 {
+        let strain = self.load::<f32>(at);
+        inner(&strain, &strain).sqrt()
+    }
+
     #[inline(always)]
     pub(crate) fn load<R: Lanes>(&self, at: usize) -> Sym3<R> {
         core::array::from_fn(|c| R::load(&self.0[c], at))

@@ -35,6 +35,14 @@ pub struct StateRef<'a> {
 }
 
 impl<'a> StateRef<'a> {
+    /// The plastic strain of tetrahedron `tet`, as Frobenius' norm; 0 where there is none.
+    #[cfg(feature = "plasticity")]
+    #[must_use]
+    pub fn plastic_strain(&self, tet: usize) -> f32 {
+        let block = self.plastic.get(tet / BLOCK);
+        block.map_or(0.0, |block| block.norm(tet % BLOCK))
+    }
+
     /// Whether tetrahedron `tet` has failed.
     #[cfg(feature = "fracture")]
     #[must_use]

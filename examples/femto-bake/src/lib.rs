@@ -6,3 +6,4 @@ pub mod factor;
 mod matrix;
 
 pub use factor::{FactorOptions, HostFactorError, Kind, OwnedFactor, Precision, factor};
+pub use matrix::RestStiffness;

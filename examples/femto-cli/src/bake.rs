@@ -148,6 +148,12 @@ pub fn command(args: &Args) -> Result<u8, Error> {
             why: "assets have the factored layout".into(),
         });
     }
+    if scene.bodies[body].substances.has_fibres() {
+        return Err(Error::Scene {
+            file: scene.file.clone(),
+            what: format!("body[{body}]: has fibres, and assets have the factored layout"),
+        });
+    }
     let options = factor_options(args, &scene)?;
     let bytes = bake(&scene, body, options).map_err(|e| match args.scene {
         Some(_) => e,
@@ -209,6 +215,10 @@ impl Direct {
                 .map(cuboid)
                 .chain(self.pin_sphere.iter().map(sphere))
                 .collect(),
+            fibre: None,
+            material: Vec::new(),
+            plasticity: None,
+            fracture: None,
         };
         let raw = file::SceneFile {
             gravity: Vector::default(),

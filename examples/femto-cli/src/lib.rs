@@ -8,6 +8,7 @@ mod bake;
 mod demo;
 mod error;
 mod info;
+mod material;
 pub mod mesh;
 mod place;
 mod prepare;

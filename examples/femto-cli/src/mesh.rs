@@ -29,6 +29,8 @@ pub struct Mesh {
     /// The numbers that the file itself uses, for messages.
     pub node_names: Vec<u64>,
     pub tet_names: Vec<u64>,
+    /// Gmsh's tag of the volume that each tet is in; empty where the file has none.
+    pub volumes: Vec<i32>,
     /// What the reader found wrong with the content; `check` finds the rest.
     pub problems: Vec<Problem>,
     /// What the reader left out.

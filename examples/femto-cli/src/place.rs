@@ -44,6 +44,11 @@ impl Placing {
         })
     }
 
+    /// R u: a direction of the mesh, where it has been placed.
+    pub fn turn(&self, direction: DVec3) -> DVec3 {
+        self.rotation * direction
+    }
+
     /// translate + R (scale X)
     pub fn rest(&self, nodes: &[DVec3]) -> Vec<DVec3> {
         nodes
@@ -105,33 +110,8 @@ pub fn pins(
     for (i, pin) in raw.pin.iter().enumerate() {
         let key = format!("{key}.pin[{i}]");
         let velocity = check.vector(&format!("{key}.velocity"), pin.velocity)?;
-        let (key, value, region) = match (&pin.corners, &pin.sphere) {
-            (Some(Corners(corners)), None) => {
-                let key = format!("{key}.box");
-                for &corner in corners {
-                    if corner.iter().any(|x| !x.is_finite()) {
-                        return Err(check.wrong(&key, corners, "must be finite"));
-                    }
-                }
-                let [low, high] = corners.map(DVec3::from);
-                if !low.cmple(high).all() {
-                    return Err(check.wrong(&key, corners, "the first corner must be the low one"));
-                }
-                (key, format!("{corners:?}"), Region::Box { low, high })
-            }
-            (None, Some(sphere)) => {
-                let key = format!("{key}.sphere");
-                let (centre, radius) = check.sphere(&key, sphere)?;
-                let value = format!("{{ centre = {:?}, radius = {radius:?} }}", sphere.centre.0);
-                (key, value, Region::Sphere { centre, radius })
-            }
-            _ => {
-                return Err(Error::Scene {
-                    file: check.file.into(),
-                    what: format!("{key}: must have exactly one of box and sphere"),
-                });
-            }
-        };
+        let (corners, sphere) = (pin.corners.as_ref(), pin.sphere.as_ref());
+        let (key, value, region) = region(check, &key, corners, sphere)?;
         let mut selected = false;
         for (node, &X) in rest.iter().enumerate() {
             if region.holds(X) {
@@ -151,13 +131,47 @@ pub fn pins(
     Ok(pins.into_iter().collect())
 }
 
-enum Region {
+/// A box or a sphere, with the key and the value that it was given by.
+pub fn region(
+    check: &Checker,
+    key: &str,
+    corners: Option<&Corners>,
+    sphere: Option<&file::Sphere>,
+) -> Result<(String, String, Region), Error> {
+    match (corners, sphere) {
+        (Some(Corners(corners)), None) => {
+            let key = format!("{key}.box");
+            for &corner in corners {
+                if corner.iter().any(|x| !x.is_finite()) {
+                    return Err(check.wrong(&key, corners, "must be finite"));
+                }
+            }
+            let [low, high] = corners.map(DVec3::from);
+            if !low.cmple(high).all() {
+                return Err(check.wrong(&key, corners, "the first corner must be the low one"));
+            }
+            Ok((key, format!("{corners:?}"), Region::Box { low, high }))
+        }
+        (None, Some(sphere)) => {
+            let key = format!("{key}.sphere");
+            let (centre, radius) = check.sphere(&key, sphere)?;
+            let value = format!("{{ centre = {:?}, radius = {radius:?} }}", sphere.centre.0);
+            Ok((key, value, Region::Sphere { centre, radius }))
+        }
+        _ => Err(Error::Scene {
+            file: check.file.into(),
+            what: format!("{key}: must have exactly one of box and sphere"),
+        }),
+    }
+}
+
+pub enum Region {
     Box { low: DVec3, high: DVec3 },
     Sphere { centre: DVec3, radius: f64 },
 }
 
 impl Region {
-    fn holds(&self, p: DVec3) -> bool {
+    pub fn holds(&self, p: DVec3) -> bool {
         match *self {
             Region::Box { low, high } => low.cmple(p).all() && p.cmple(high).all(),
             Region::Sphere { centre, radius } => p.distance_squared(centre) <= radius * radius,

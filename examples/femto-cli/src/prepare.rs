@@ -1,14 +1,16 @@
 //! What is made of a scene before its first step: settings, rest data, factors.
 
-use femto::element::{Factored, Layout};
-use femto::material::{Material, MaterialError};
+use femto::element::{Dense, Factored};
+use femto::material::{Material, MaterialError, Regions};
 use femto::mesh::{Mesh, MeshError};
 use femto::order::fans;
 use femto::owned::OwnedRest;
 use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
-use femto_bake::{FactorOptions, Kind, OwnedFactor, factor};
+
+use femto_bake::{FactorOptions, Kind, OwnedFactor, RestStiffness, factor};
 
 use crate::error::Error;
+use crate::material::{Substance, Substances};
 use crate::scene::{self, Body, Scene};
 
 /// The settings, but for factors.
@@ -59,31 +61,94 @@ pub fn material(body: &Body) -> Result<Material, MaterialError> {
     Material::new(body.young, body.poisson, body.density)?.with_damping(body.alpha, body.beta)
 }
 
-/// The rest data of a body of the scene.
-pub fn rest<L: Layout>(scene: &Scene, index: usize) -> Result<OwnedRest<L>, Error> {
-    let body = &scene.bodies[index];
-    let wrong = |key: &str, value: String, why: String| Error::Value {
-        file: scene.file.clone(),
-        key: format!("body[{index}].{key}"),
-        value,
-        why,
+/// A layout that a body can be built in.
+pub trait Build: RestStiffness {
+    /// Rest data of a mesh whose tets are in the order that `original` numbers in the body's.
+    fn build(
+        mesh: &Mesh<'_>,
+        materials: &Regions<'_>,
+        substances: &Substances,
+        original: &[usize],
+    ) -> Result<OwnedRest<Self>, MeshError>;
+}
+
+/// Of bodies without fibres.
+impl Build for Factored {
+    fn build(
+        mesh: &Mesh<'_>,
+        materials: &Regions<'_>,
+        _: &Substances,
+        _: &[usize],
+    ) -> Result<OwnedRest<Self>, MeshError> {
+        OwnedRest::new(mesh, materials)
+    }
+}
+
+impl Build for Dense {
+    fn build(
+        mesh: &Mesh<'_>,
+        materials: &Regions<'_>,
+        substances: &Substances,
+        original: &[usize],
+    ) -> Result<OwnedRest<Self>, MeshError> {
+        if substances.has_fibres() {
+            let elasticity = |tet: usize| substances.elasticity(original[tet]);
+            OwnedRest::anisotropic(mesh, materials, elasticity)
+        } else {
+            OwnedRest::new(mesh, materials)
+        }
+    }
+}
+
+/// The materials of a body.
+fn materials(scene: &Scene, body: &Body) -> Result<Vec<Material>, Error> {
+    let of = |part: &Substance| {
+        let material = Material::new(part.young, part.poisson, part.density)
+            .and_then(|material| material.with_damping(body.alpha, body.beta));
+        material.map_err(|e| {
+            let (key, value) = match e {
+                MaterialError::Young(x) => ("young", x),
+                MaterialError::Poisson(x) => ("poisson", x),
+                MaterialError::Alpha(x) => ("alpha", x),
+                MaterialError::Beta(x) => ("beta", x),
+                MaterialError::Density(x) => ("density", x),
+                _ => ("young", part.young),
+            };
+            Error::Value {
+                file: scene.file.clone(),
+                key: format!("{}.{key}", part.key),
+                value: format!("{value:?}"),
+                why: e.to_string(),
+            }
+        })
     };
-    let material = material(body).map_err(|e| {
-        let (key, value) = match e {
-            MaterialError::Young(x) => ("young", x),
-            MaterialError::Poisson(x) => ("poisson", x),
-            MaterialError::Alpha(x) => ("alpha", x),
-            MaterialError::Beta(x) => ("beta", x),
-            MaterialError::Density(x) => ("density", x),
-            _ => ("young", body.young),
-        };
-        wrong(key, format!("{value:?}"), e.to_string())
-    })?;
-    let mesh = |e: MeshError| wrong("mesh", body.source.clone(), e.to_string());
+    body.substances.list.iter().map(of).collect()
+}
+
+/// The rest data of a body of the scene.
+pub fn rest<L: Build>(scene: &Scene, index: usize) -> Result<OwnedRest<L>, Error> {
+    let body = &scene.bodies[index];
+    let materials = materials(scene, body)?;
+    let mesh = |e: MeshError| Error::Value {
+        file: scene.file.clone(),
+        key: format!("body[{index}].mesh"),
+        value: body.source.clone(),
+        why: e.to_string(),
+    };
     Mesh::new(&body.rest, &body.tets).map_err(mesh)?;
     let ordered = fans(&body.tets);
     let checked = Mesh::new(&body.rest, &ordered.tets).map_err(mesh)?;
-    OwnedRest::new(&checked, &material).map_err(|e| match e {
+    let of: Vec<u16> = ordered
+        .original
+        .iter()
+        .map(|&tet| body.substances.of[tet])
+        .collect();
+    let regions = Regions {
+        materials: &materials,
+        of: &of,
+    };
+    let built = L::build(&checked, &regions, &body.substances, &ordered.original);
+    built.map_err(|e| match e {
         // As the file counts.
         MeshError::OutOfScale { tet } => mesh(MeshError::OutOfScale {
             tet: ordered
@@ -96,10 +161,10 @@ pub fn rest<L: Layout>(scene: &Scene, index: usize) -> Result<OwnedRest<L>, Erro
 }
 
 /// Factors a body of the scene, with its pinned nodes held, for a substep of the scene.
-pub fn factor_of(
+pub fn factor_of<L: RestStiffness>(
     scene: &Scene,
     index: usize,
-    rest: &OwnedRest<Factored>,
+    rest: &OwnedRest<L>,
     options: FactorOptions,
 ) -> Result<OwnedFactor, Error> {
     let held = scene.bodies[index].pins.iter().map(|pin| pin.0).collect();
@@ -125,12 +190,17 @@ impl Factors {
         let scene::Preconditioner::Factored(kind) = scene.preconditioner else {
             return Ok(Self(scene.bodies.iter().map(|_| None).collect()));
         };
-        let one = |index| {
+        let one = |index: usize| {
             let options = FactorOptions {
                 kind,
                 ..FactorOptions::default()
             };
-            factor_of(scene, index, &rest(scene, index)?, options).map(Some)
+            let made = if scene.bodies[index].substances.has_fibres() {
+                factor_of(scene, index, &rest::<Dense>(scene, index)?, options)
+            } else {
+                factor_of(scene, index, &rest::<Factored>(scene, index)?, options)
+            };
+            made.map(Some)
         };
         (0..scene.bodies.len())
             .map(one)

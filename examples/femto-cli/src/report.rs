@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use crate::scene_file::{Budget, Solver};
-use crate::sim::{Energies, Memory};
+use crate::sim::{Damage, Energies, Memory};
 
 #[derive(Serialize)]
 pub struct Report<'a> {
@@ -21,6 +21,9 @@ pub struct Report<'a> {
     pub energy: FirstAndLast,
     pub seconds_per_step: StepTimes,
     pub steps_run: u32,
+    /// Of scenes whose bodies yield or break.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub damage: Option<Damage>,
     /// "completed", or "refused: " and why.
     pub ended: String,
 }

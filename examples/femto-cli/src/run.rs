@@ -198,6 +198,7 @@ pub fn run(
         },
         seconds_per_step: times,
         steps_run: step,
+        damage: sim.damage(),
         ended: match &refused {
             None => "completed".into(),
             Some(why) => format!("refused: {why}"),

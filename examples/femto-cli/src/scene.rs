@@ -9,6 +9,7 @@ use femto_bake::Kind;
 use glam::DVec3;
 
 use crate::error::Error;
+use crate::material::{Laws, Substances};
 use crate::mesh::{self, Mesh, check};
 use crate::place;
 use crate::scene_file::{self as file, MeshSource, SceneFile, Vector};
@@ -68,6 +69,8 @@ pub struct Body {
     pub density: f32,
     pub alpha: f32,
     pub beta: f32,
+    pub substances: Substances,
+    pub laws: Laws,
     pub rest: Vec<[f32; 3]>,
     pub tets: Vec<[u32; 4]>,
     /// Start positions and velocities.
@@ -421,6 +424,8 @@ impl Checker<'_> {
         let rest = placing
             .round(&placed)
             .map_err(|why| bad_mesh(format!("placed {why}")))?;
+        let substances = Substances::new(self, key, raw, mesh, &placing, &placed)?;
+        let laws = Laws::new(self, key, raw, mesh.tets.len())?;
         let pins = place::pins(self, key, raw, &placed)?;
         let (x, v) = placing.start(&placed);
         let x = placing
@@ -436,6 +441,8 @@ impl Checker<'_> {
             density,
             alpha,
             beta,
+            substances,
+            laws,
             rest,
             tets: mesh.tets.clone(),
             x,

@@ -94,6 +94,52 @@ pub struct Body {
     pub angular_velocity: Vector,
     #[serde(default)]
     pub pin: Vec<Pin>,
+    pub fibre: Option<Fibre>,
+    #[serde(default)]
+    pub material: Vec<Material>,
+    pub plasticity: Option<Plasticity>,
+    pub fracture: Option<Fracture>,
+}
+
+/// Of what is not said, the body's.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    #[serde(rename = "box")]
+    pub corners: Option<Corners>,
+    pub sphere: Option<Sphere>,
+    pub volume: Option<i32>,
+    pub young: Option<f64>,
+    pub poisson: Option<f64>,
+    pub density: Option<f64>,
+    pub fibre: Option<Fibre>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fibre {
+    pub direction: Vector,
+    pub young: f64,
+    pub shear: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plasticity {
+    pub yield_strain: f64,
+    #[serde(default = "one")]
+    pub limit: f64,
+    #[serde(default)]
+    pub relaxation: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Fracture {
+    pub strength: f64,
+    #[serde(default = "four")]
+    pub per_step: u32,
+    pub reserve: Option<u32>,
 }
 
 /// A file name, or a box cut into cells.
@@ -221,6 +267,10 @@ fn earth() -> Vector {
 
 fn one() -> f64 {
     1.0
+}
+
+fn four() -> u32 {
+    4
 }
 
 fn ones() -> Vector {

@@ -9,16 +9,19 @@ use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
 use femto::lane::blocks;
+use femto::order::fans;
 use femto::owned::{OwnedBody, OwnedState};
 use femto::preconditioner::Factor;
 use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::settings::{Needs, Preconditioner, Settings, Start};
+use femto::state::{broken_bytes, plastic_bytes};
 use femto::step::{Scene as StepScene, StepReport};
 use femto_bake::OwnedFactor;
 use serde::Serialize;
 
 use crate::error::Error;
-use crate::prepare::{self, Factors};
+use crate::material::Laws;
+use crate::prepare::{self, Build, Factors};
 use crate::scene::{self, Collider, Scene, Shape};
 
 /// The step by step life of a scene.
@@ -41,6 +44,20 @@ struct Body<'a> {
     factor: Option<Factor<'a>>,
     /// The aggregate of each node, for the two-level preconditioner.
     aggregates: Option<Vec<u8>>,
+    laws: Laws,
+    /// Of bodies that yield or break: the scene's number of every tet of the library's.
+    original: Vec<usize>,
+    /// What plastic flow took so far, J, and what broke.
+    damage: Damage,
+}
+
+/// What plastic flow and fracture have done, summed over the bodies.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Damage {
+    pub dissipated_joules: f64,
+    pub broken_tets: u32,
+    /// How many tets may still break; `null` where none of the bodies breaks.
+    pub reserve_left: Option<u32>,
 }
 
 /// The scene's settings with what is a body's own of the preconditioner.
@@ -48,8 +65,10 @@ fn own_settings<'a>(
     settings: &Settings<'static>,
     factor: Option<&'a Factor<'a>>,
     aggregates: Option<&'a [u8]>,
+    laws: Laws,
 ) -> Settings<'a> {
-    let settings: Settings<'a> = *settings;
+    let mut settings: Settings<'a> = *settings;
+    (settings.plasticity, settings.fracture) = (laws.plasticity, laws.fracture);
     let coarse = aggregates.map(|of| {
         let aggregates = Aggregates::new(of, DEFAULT_AGGREGATES);
         Preconditioner::TwoLevel(aggregates.expect("made by the library"))
@@ -128,9 +147,11 @@ impl<'a> Sim<'a> {
             let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
             let mut aggregates = aggregated.then(|| vec![0; body.rest.len()]);
             let of = aggregates.as_deref_mut();
-            let mut kind = match scene.layout {
-                scene::Layout::Factored => Kind::Factored(built(scene, i, &settings, of)?),
-                scene::Layout::Dense => Kind::Dense(built(scene, i, &settings, of)?),
+            // Fibres take the dense layout.
+            let dense = scene.layout == scene::Layout::Dense || body.substances.has_fibres();
+            let mut kind = match dense {
+                false => Kind::Factored(built(scene, i, &settings, of)?),
+                true => Kind::Dense(built(scene, i, &settings, of)?),
             };
             with!(&mut kind, built => built.place(&body.x, &body.v)).map_err(|e| {
                 wrong(
@@ -148,6 +169,15 @@ impl<'a> Sim<'a> {
                 pins: body.pins.iter().map(pin).collect(),
                 factor: factor.as_ref().map(OwnedFactor::view),
                 aggregates,
+                laws: body.laws,
+                original: match body.laws.any() {
+                    true => fans(&body.tets).original,
+                    false => Vec::new(),
+                },
+                damage: Damage {
+                    reserve_left: body.laws.fracture.map(|law| law.reserve()),
+                    ..Damage::default()
+                },
             });
         }
         for (i, collider) in scene.colliders.iter().enumerate() {
@@ -175,11 +205,11 @@ impl<'a> Sim<'a> {
     pub fn step(&mut self) -> Result<StepInfo, String> {
         // One substep of one body is undone by the library itself.
         let undo = self.substeps > 1 || self.bodies.len() > 1;
-        let before: Vec<OwnedState> = match undo {
+        let before: Vec<(OwnedState, Damage)> = match undo {
             true => self
                 .bodies
                 .iter()
-                .map(|b| with!(&b.kind, body => body.state().clone()))
+                .map(|b| (with!(&b.kind, body => body.state().clone()), b.damage))
                 .collect(),
             false => Vec::new(),
         };
@@ -187,7 +217,8 @@ impl<'a> Sim<'a> {
         let result = self.substeps();
         if result.is_err() {
             self.made = made;
-            for (body, state) in self.bodies.iter_mut().zip(before) {
+            for (body, (state, damage)) in self.bodies.iter_mut().zip(before) {
+                body.damage = damage;
                 with!(&mut body.kind, body => *body.state_mut() = state);
             }
         }
@@ -221,6 +252,7 @@ impl<'a> Sim<'a> {
                     &self.settings,
                     body.factor.as_ref(),
                     body.aggregates.as_deref(),
+                    body.laws,
                 );
                 let begin = Instant::now();
                 let report: StepReport =
@@ -234,6 +266,7 @@ impl<'a> Sim<'a> {
                 }
                 residual += f64::from(report.residual_after) * f64::from(report.residual_after);
                 rhs += f64::from(report.rhs) * f64::from(report.rhs);
+                body.damage.add(&report);
                 info.contacts += report.contacts;
             }
             info.residual = if rhs > 0.0 {
@@ -279,14 +312,61 @@ impl<'a> Sim<'a> {
         with!(&self.bodies[body].kind, body => body.velocities())
     }
 
-    /// FNV-1a over the bits of all x, then all v, body by body.
+    /// FNV-1a over the bits of all x, then all v, then plastic strain and what has broken, if any, body by body.
     pub fn hash(&self) -> u64 {
-        let bodies = 0..self.bodies.len();
-        bodies
-            .fold(StateHash::new(), |hash, b| {
-                hash.with(self.positions(b), self.velocities(b))
-            })
+        self.bodies
+            .iter()
+            .fold(
+                StateHash::new(),
+                |hash, body| with!(&body.kind, body => hash.with_state(&body.state().view())),
+            )
             .value()
+    }
+
+    /// What has yielded and broken; `None` where no body does either.
+    pub fn damage(&self) -> Option<Damage> {
+        let damaged = self.bodies.iter().filter(|body| body.laws.any());
+        damaged.map(|body| body.damage).reduce(|a, b| Damage {
+            dissipated_joules: a.dissipated_joules + b.dissipated_joules,
+            broken_tets: a.broken_tets + b.broken_tets,
+            reserve_left: match (a.reserve_left, b.reserve_left) {
+                (Some(a), Some(b)) => Some(a.saturating_add(b)),
+                (a, b) => a.or(b),
+            },
+        })
+    }
+
+    /// Which tets of a body are whole, as the scene counts them.
+    pub fn whole(&self, body: usize, tets: usize) -> Vec<bool> {
+        let mut whole = vec![true; tets];
+        let body = &self.bodies[body];
+        with!(&body.kind, built => {
+            let state = built.state().view();
+            for (tet, &original) in body.original.iter().enumerate() {
+                whole[original] = !state.is_broken(tet);
+            }
+        });
+        whole
+    }
+
+    /// Norm of the plastic strain of a body's tets, as the scene counts them; 0 for those of bodies that do not yield.
+    pub fn plastic_strain(&self, body: usize, tets: usize) -> Vec<f32> {
+        let mut norms = vec![0.0; tets];
+        let body = &self.bodies[body];
+        with!(&body.kind, built => {
+            let state = built.state().view();
+            for (tet, &original) in body.original.iter().enumerate() {
+                norms[original] = state.plastic_strain(tet);
+            }
+        });
+        norms
+    }
+
+    /// Whether any body yields.
+    pub fn yields(&self) -> bool {
+        self.bodies
+            .iter()
+            .any(|body| body.laws.plasticity.is_some())
     }
 
     /// Rest and state of all bodies; the workspace serves one body at a time, so that of the
@@ -294,7 +374,8 @@ impl<'a> Sim<'a> {
     pub fn memory(&self) -> Memory {
         let mut sum = Memory::default();
         for body in &self.bodies {
-            let settings = own_settings(&self.settings, None, body.aggregates.as_deref());
+            let settings =
+                own_settings(&self.settings, None, body.aggregates.as_deref(), body.laws);
             let needs = Needs::from(&settings);
             let one = with!(&body.kind, body => memory_of(body, needs));
             sum.rest += one.rest;
@@ -306,13 +387,24 @@ impl<'a> Sim<'a> {
     }
 }
 
-fn built<L: Layout>(
+impl Damage {
+    fn add(&mut self, report: &StepReport) {
+        self.dissipated_joules += f64::from(report.dissipated);
+        self.broken_tets += report.fracture.broken;
+        if let Some(left) = &mut self.reserve_left {
+            *left = report.fracture.left;
+        }
+    }
+}
+
+fn built<L: Build>(
     scene: &Scene,
     body: usize,
     settings: &Settings<'static>,
     aggregates: Option<&mut [u8]>,
 ) -> Result<Box<OwnedBody<L>>, Error> {
     let rest = prepare::rest::<L>(scene, body)?;
+    let laws = scene.bodies[body].laws;
     let needs = match aggregates {
         Some(of) => {
             Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, of).map_err(|e| Error::Value {
@@ -321,9 +413,9 @@ fn built<L: Layout>(
                 value: scene.bodies[body].source.clone(),
                 why: e.to_string(),
             })?;
-            Needs::from(&own_settings(settings, None, Some(of)))
+            Needs::from(&own_settings(settings, None, Some(of), laws))
         }
-        None => Needs::from(settings),
+        None => Needs::from(&own_settings(settings, None, None, laws)),
     };
     Ok(Box::new(OwnedBody::from_rest(rest, needs)))
 }
@@ -356,7 +448,17 @@ fn needed<L: Layout>(nodes: usize, tets: usize, needs: Needs) -> Memory {
     Memory {
         rest: rest_bytes::<L>(nodes, blocks),
         factor: 0,
-        state: state_bytes(nodes, blocks, needs.history),
+        state: state_bytes(nodes, blocks, needs.history)
+            + if needs.plastic {
+                plastic_bytes(blocks)
+            } else {
+                0
+            }
+            + if needs.broken {
+                broken_bytes(blocks)
+            } else {
+                0
+            },
         workspace: workspace_bytes::<L>(nodes, blocks, needs.vectors)
             + needs.coarse * size_of::<f32>(),
     }

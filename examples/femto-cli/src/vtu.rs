@@ -15,11 +15,15 @@ const TETRA: u8 = 10;
 
 type Xml = Writer<BufWriter<File>>;
 
-/// All bodies in one grid: positions, velocities, and the body of each tet.
+/// All bodies in one grid: positions, velocities, and the body of each tet; where bodies yield, the norm of its plastic
+/// strain. What has broken is left out.
 pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<()> {
     let bodies = 0..sim.bodies();
     let points: usize = bodies.clone().map(|b| sim.positions(b).len()).sum();
-    let cells: usize = tets.iter().map(|t| t.len()).sum();
+    let whole: Vec<Vec<bool>> = (tets.iter().enumerate())
+        .map(|(b, t)| sim.whole(b, t.len()))
+        .collect();
+    let cells = whole.iter().flatten().filter(|&&whole| whole).count();
     let mut xml = begin(path, "UnstructuredGrid")?;
     open(&mut xml, "UnstructuredGrid", &[])?;
     let counts = [
@@ -34,11 +38,19 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     close(&mut xml, "PointData")?;
 
     open(&mut xml, "CellData", &[("Scalars", "body".into())])?;
-    let body_of = tets
-        .iter()
-        .enumerate()
-        .flat_map(|(b, t)| t.iter().map(move |_| b));
+    let body_of = (whole.iter().enumerate())
+        .flat_map(|(b, whole)| whole.iter().filter(|&&whole| whole).map(move |_| b));
     array(&mut xml, "Int32", "body", 1, body_of)?;
+    if sim.yields() {
+        let strains = whole.iter().enumerate().flat_map(|(b, whole)| {
+            let strains = sim.plastic_strain(b, whole.len());
+            let strains = strains.into_iter().zip(whole);
+            strains
+                .filter(|(_, whole)| **whole)
+                .map(|(strain, _)| strain)
+        });
+        array(&mut xml, "Float32", "plastic_strain", 1, strains)?;
+    }
     close(&mut xml, "CellData")?;
 
     open(&mut xml, "Points", &[])?;
@@ -49,8 +61,9 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     open(&mut xml, "Cells", &[])?;
     let mut first = 0;
     let mut corners = Vec::with_capacity(cells);
-    for (body, tets) in tets.iter().enumerate() {
-        corners.extend(tets.iter().map(|t| {
+    for (body, (tets, whole)) in tets.iter().zip(&whole).enumerate() {
+        let here = tets.iter().zip(whole).filter(|(_, whole)| **whole);
+        corners.extend(here.map(|(t, _)| {
             let [a, b, c, d] = t.map(|node| node as usize + first);
             format!("{a} {b} {c} {d}")
         }));

@@ -141,6 +141,7 @@ fn build(file: &MshFile<u64, i32, f64>) -> Result<Mesh, String> {
             }
             mesh.tets.push(tet);
             mesh.tet_names.push(element.element_tag);
+            mesh.volumes.push(block.entity_tag);
         }
     }
     if mesh.tets.is_empty() && quadratic > 0 {
@@ -228,6 +229,7 @@ mod tests {
         assert_eq!(mesh.nodes, [DVec3::Z, DVec3::X, DVec3::ZERO, DVec3::Y]);
         assert_eq!(mesh.tets, [[2, 1, 3, 0]]);
         assert_eq!(mesh.tet_names, [2]);
+        assert_eq!(mesh.volumes, [1]);
         assert_eq!(mesh.problems, []);
         assert_eq!(mesh.notes, ["1 nodes that no tet uses were left out"]);
     }
