@@ -155,12 +155,14 @@ pub(crate) fn tear<R: Lanes, L: Layout, P: PlasticStrain>(
     let mut ranking: Ranking = [(1.0, u32::MAX); MOST_PER_STEP as usize];
     let (mut above, mut before, mut tets) = (0, 0, 0_u32..);
     let mut blocks = rotations.iter().zip(plastic).zip(&*broken);
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, ((rotation, plastic), broken)) in fan.iter().zip(blocks.by_ref()) {
             let mut ratios = [0.0; BLOCK];
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let edges = edges.advance(x, &tet.corners, at);
+                let Some(edges) = edges.advance(x, &tet.corners, at) else {
+                    continue;
+                };
                 let g = gradients::<R>(tet, at);
                 let f = deformation(&edges, &g);
                 let mut h = polar::unrotated(&rotation.load::<R>(at), &f);

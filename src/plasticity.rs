@@ -192,7 +192,7 @@ pub(crate) fn add_forces<R: Lanes, L: Layout, S: Share>(
 ) {
     let twice = R::splat(scale + scale);
     let mut blocks = rotations.iter().zip(plastic).zip(shares);
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let mut sums = Sums::<R>::open();
         for (tet, ((rotation, plastic), share)) in fan.iter().zip(blocks.by_ref()) {
             for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
@@ -231,12 +231,14 @@ pub(crate) fn flow<R: Lanes, L: Layout, S: Share>(
     );
     let mut total = 0.0;
     let mut blocks = rotations.iter().zip(plastic).zip(shares);
-    for fan in fans(rest.blocks) {
+    for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, ((rotation, plastic), share)) in fan.iter().zip(blocks.by_ref()) {
             let mut work = [0.0; BLOCK];
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let edges = edges.advance(x, &tet.corners, at);
+                let Some(edges) = edges.advance(x, &tet.corners, at) else {
+                    continue;
+                };
                 let f = deformation(&edges, &gradients::<R>(tet, at));
                 let strain = deviator(&polar::unrotated(&rotation.load::<R>(at), &f));
                 let before = plastic.load::<R>(at);

@@ -134,6 +134,7 @@ fn all_ways_to_say_it_give_the_same_bits() {
         masses: &masses,
         blocks: &tets,
         stiffness: &[(); BLOCKS],
+        fans: &[],
         header,
     });
     // And one for all is one for each.
