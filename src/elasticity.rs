@@ -177,7 +177,7 @@ impl Fibres {
         let fibre = unit(direction)?;
         // Across, shear is that of an isotropic plane: G₂₃ = E₂/(2(1 + ν₂₃)).
         let across = self.across / (2.0 * (1.0 + self.poisson_across));
-        if !(self.poisson_across > -1.0) {
+        if self.poisson_across.is_nan() || self.poisson_across <= -1.0 {
             return Err(ElasticityError::Poisson);
         }
         let material = Orthotropic {

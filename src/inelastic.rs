@@ -111,7 +111,12 @@ pub(crate) fn rotate_state<R: Lanes, L: Layout>(
 /// At the end of a step: flow, then fracture.
 #[cfg_attr(
     not(any(feature = "plasticity", feature = "fracture")),
-    expect(unused_variables, unused_mut, reason = "nothing to do")
+    expect(
+        unused_variables,
+        unused_mut,
+        clippy::extra_unused_type_parameters,
+        reason = "nothing to do"
+    )
 )]
 pub(crate) fn update<R: Lanes, L: Layout>(
     rest: &Rest<'_, L>,

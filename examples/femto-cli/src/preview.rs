@@ -45,15 +45,28 @@ const SOLID: [&str; 3] = ["#8b8d91", "#f1f1ef", "#85878b"];
 pub struct Moment {
     time: f64,
     positions: Vec<Vec<DVec3>>,
+    /// Where a body has broken, what is its surface by now.
+    torn: Option<Vec<Vec<[u32; 3]>>>,
 }
 
 impl Moment {
-    pub fn new(time: f64, sim: &Sim) -> Self {
+    pub fn new(time: f64, sim: &Sim, tets: &[&[[u32; 4]]]) -> Self {
         let point = |&[x, y, z]: &[f32; 3]| DVec3::new(x.into(), y.into(), z.into());
         let positions = (0..sim.bodies())
             .map(|b| sim.positions(b).iter().map(point).collect())
             .collect();
-        Moment { time, positions }
+        let surface = |(body, tets): (usize, &&[[u32; 4]])| {
+            let whole = sim.whole(body, tets.len());
+            let left = tets.iter().zip(whole).filter(|(_, whole)| *whole);
+            shape::surface(&left.map(|(tet, _)| *tet).collect::<Vec<_>>())
+        };
+        let broken = sim.damage().is_some_and(|damage| damage.broken_tets > 0);
+        let torn = broken.then(|| tets.iter().enumerate().map(surface).collect());
+        Moment {
+            time,
+            positions,
+            torn,
+        }
     }
 }
 
@@ -168,7 +181,7 @@ impl<'a> Preview<'a> {
             };
             let picture = panel.draw(
                 &moment.positions,
-                &self.surfaces,
+                moment.torn.as_ref().unwrap_or(&self.surfaces),
                 &self.colliders_at(moment.time),
             );
             let label = format!("t = {} s", trim(moment.time));

@@ -132,7 +132,7 @@ pub fn run(
     loop {
         let time = f64::from(step) * scene.dt;
         if moments.contains(&step) {
-            preview.moments.push(Moment::new(time, sim));
+            preview.moments.push(Moment::new(time, sim, &tets));
         }
         if frames.get(files.frames.len()) == Some(&step) {
             files.frame(time, sim, &tets)?;
@@ -174,7 +174,7 @@ pub fn run(
         // The last good state is shown too.
         let time = f64::from(step) * scene.dt;
         if !moments.contains(&step) {
-            preview.moments.push(Moment::new(time, sim));
+            preview.moments.push(Moment::new(time, sim, &tets));
         }
         if !frames.is_empty() && !frames.contains(&step) {
             files.frame(time, sim, &tets)?;
