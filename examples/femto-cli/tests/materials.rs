@@ -188,6 +188,33 @@ fn what_breaks_is_counted_and_left_out() {
     assert_eq!(report(&folder)["state_hash"], hash);
 }
 
+/// The scenes that come with the tool.
+#[test]
+fn clay_stays_flat_and_the_strip_is_torn_in_two() {
+    let folder = Folder::new();
+    let scene = |name: &str| format!("{}/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
+    folder
+        .femto(&["run", &scene("clay"), "--out", "out"])
+        .succeeds();
+    let (_, rows) = table(&folder.read("out/final.csv"));
+    let top = rows.iter().map(|row| row[3]).fold(0.0, f64::max);
+    let speed = rows
+        .iter()
+        .flat_map(|row| &row[5..8])
+        .fold(0.0_f64, |most, v| most.max(v.abs()));
+    // A ball of 0.6 m, at rest, long after what pressed it has gone.
+    assert!(top < 0.45 && speed < 0.02, "{top} {speed}");
+    assert!(report(&folder)["damage"]["dissipated_joules"].as_f64() > Some(100.0));
+
+    folder
+        .femto(&["run", &scene("tear"), "--out", "out"])
+        .succeeds();
+    let damage = report(&folder)["damage"].clone();
+    assert!(damage["broken_tets"].as_u64() > Some(20) && damage["reserve_left"].as_u64() > Some(0));
+    // Nothing pulls any more.
+    assert!(report(&folder)["energy"]["last"]["elastic"].as_f64() < Some(0.1));
+}
+
 #[test]
 fn assets_have_no_fibres() {
     let folder = Folder::new();
