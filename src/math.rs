@@ -123,9 +123,16 @@ pub fn select3(condition: bool, yes: [f32; 3], no: [f32; 3]) -> [f32; 3] {
 ///
 /// The one guard of the solver's scalars (CG's α and β, Galerkin coefficients): a breakdown
 /// becomes a zero update at the same cost. NaN in either argument gives 0.
-#[inline]
+#[inline(never)]
 #[must_use]
 pub fn ratio_or_zero(numerator: f32, denominator: f32, floor: f32) -> f32 {
+    ratio(numerator, denominator, floor)
+}
+
+/// [`ratio_or_zero`] in place: for loops over nodes.
+#[inline(always)]
+#[must_use]
+pub(crate) fn ratio(numerator: f32, denominator: f32, floor: f32) -> f32 {
     let usable = denominator > floor;
     let quotient = numerator / select(usable, denominator, 1.0);
     Mask::of(usable & quotient.is_finite()).keep(quotient)

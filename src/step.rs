@@ -417,6 +417,7 @@ fn external_impulses<L: Layout>(
 }
 
 /// `out` += P v(t), over the velocity unit
+#[inline(never)]
 fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32; 3]]) {
     let per_unit = 1.0 / units.velocity;
     for ((out, v), p) in out.iter_mut().zip(v).zip(filter) {

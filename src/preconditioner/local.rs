@@ -5,7 +5,7 @@
 
 use crate::algebra::mul_mat;
 use crate::element::Sym3;
-use crate::math::{Mask, ratio_or_zero};
+use crate::math::{Mask, ratio};
 
 /// The block B_i of node i: see the variants of the same names of
 /// [`Preconditioner`](super::Preconditioner).
@@ -28,11 +28,15 @@ impl Local {
                     let inverse = 1.0 / m;
                     diagonal(inverse, inverse, inverse)
                 }
-                Self::Jacobi => {
-                    let inverse = |x: f32| ratio_or_zero(1.0, x, 0.0);
-                    diagonal(inverse(block[0]), inverse(block[3]), inverse(block[5]))
+                Self::Jacobi | Self::BlockJacobi => {
+                    let per = |x: f32| ratio(1.0, x, 0.0);
+                    let (x, y, z) = (per(block[0]), per(block[3]), per(block[5]));
+                    if matches!(self, Self::Jacobi) {
+                        diagonal(x, y, z)
+                    } else {
+                        inverse(block, [x, y, z])
+                    }
                 }
-                Self::BlockJacobi => inverse(block),
             };
             *block = sandwich(p, &local);
         }
@@ -48,11 +52,9 @@ fn sandwich(p: &Sym3<f32>, b: &Sym3<f32>) -> Sym3<f32> {
 }
 
 /// Inverse of a symmetric positive definite block by cofactors. Where rounding has made the
-/// determinant useless (det ≤ 1e-5 of the product of the diagonal), the inverse of the diagonal.
+/// determinant useless (det ≤ 1e-5 of the product of the diagonal), the inverse of the diagonal, which is given.
 #[inline]
-fn inverse(a: &Sym3<f32>) -> Sym3<f32> {
-    let per = |x: f32| ratio_or_zero(1.0, x, 0.0);
-    let (dx, dy, dz) = (per(a[0]), per(a[3]), per(a[5]));
+fn inverse(a: &Sym3<f32>, [dx, dy, dz]: [f32; 3]) -> Sym3<f32> {
     // Every product carries the diagonal's inverses, which keeps it of order one in any unit.
     let (xy, xz, yz) = (a[1], a[2], a[4]);
     let (sx, sy, sz) = (yz * yz * dy * dz, xz * xz * dx * dz, xy * xy * dx * dy);
@@ -78,7 +80,7 @@ mod tests {
     #[test]
     fn inverse_of_a_block() {
         let a = [4.0, 1.0, -0.5, 3.0, 0.25, 2.0];
-        let b = inverse(&a);
+        let b = inverse(&a, [0.25, 1.0 / 3.0, 0.5]);
         let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
         let product = mul_mat(&full(&a), &full(&b));
         for (i, row) in product.iter().enumerate() {
@@ -94,10 +96,7 @@ mod tests {
 
     #[test]
     fn a_singular_block_falls_back_to_its_diagonal() {
-        assert_eq!(
-            inverse(&[1.0, 1.0, 1.0, 1.0, 1.0, 1.0]),
-            [1.0, 0.0, 0.0, 1.0, 0.0, 1.0]
-        );
-        assert_eq!(inverse(&[0.0; 6]), [0.0; 6]);
+        assert_eq!(inverse(&[1.0; 6], [1.0; 3]), [1.0, 0.0, 0.0, 1.0, 0.0, 1.0]);
+        assert_eq!(inverse(&[0.0; 6], [0.0; 3]), [0.0; 6]);
     }
 }
