@@ -8,7 +8,7 @@
 
 // A body lives in three pieces of memory that the caller owns; femto_*_bytes give their sizes:
 //
-// * rest data: read-only once made, may be shared by bodies;
+// * rest data: read-only once made, may be shared by bodies; or an asset, read in place;
 // * state: all that a snapshot must copy (by memcpy, to a place of the same alignment);
 // * workspace: scratch, may be shared by bodies.
 //
@@ -20,6 +20,9 @@
 
 // Colliders of a step, at most.
 #define FEMTO_MAX_COLLIDERS 8
+
+// Aggregates of a two-level preconditioner, at most.
+#define FEMTO_MAX_AGGREGATES 16
 
 // Every piece of memory starts at a multiple of this.
 #define FEMTO_ALIGNMENT 32
@@ -50,6 +53,13 @@
 
 // The 3x3 diagonal blocks.
 #define FEMTO_PRECONDITIONER_BLOCK_JACOBI 3
+
+// The factor of an asset of the same mesh: `factor` and `factor_bytes`.
+#define FEMTO_PRECONDITIONER_FACTORED 4
+
+// Block Jacobi and the rigid motions of aggregates: `aggregates` and `aggregate_count`. The workspace must have
+// femto_coarse_bytes more.
+#define FEMTO_PRECONDITIONER_TWO_LEVEL 5
 
 // Keeps normal . x >= distance.
 #define FEMTO_COLLIDER_HALF_SPACE 0
@@ -84,6 +94,9 @@ typedef enum FemtoStatus {
   FEMTO_STATUS_NON_FINITE = 10,
   // The step would have given a state that is not finite, or left the range of float; the state is as it was.
   FEMTO_STATUS_REFUSED = 11,
+  // The bytes are no asset of this version, are damaged or cut off, or more than the asset's; or they have no factor,
+  // where one is asked for.
+  FEMTO_STATUS_ASSET = 12,
 } FemtoStatus;
 
 // Where the solver starts. 0 zero, 1 velocity, 2 velocity and force, 3 Galerkin, 4 rigid.
@@ -108,7 +121,15 @@ typedef struct FemtoMaterial {
   float beta;
 } FemtoMaterial;
 
-// How a step is taken.
+// A node whose velocity is prescribed.
+typedef struct FemtoPin {
+  // The node.
+  uint32_t node;
+  // Its velocity, m/s.
+  float velocity[3];
+} FemtoPin;
+
+// How a step is taken. What the preconditioner does not use may be 0.
 typedef struct FemtoSettings {
   // Time step, s.
   float dt;
@@ -122,15 +143,29 @@ typedef struct FemtoSettings {
   struct FemtoStart start;
   // FEMTO_PRECONDITIONER_...
   uint32_t preconditioner;
+  // How many aggregates there are.
+  uint32_t aggregate_count;
+  // The aggregate of every node, by femto_aggregates_init or of your own: below the count, or 255 for none.
+  const uint8_t *aggregates;
+  // An asset that passed femto_asset_open.
+  const void *factor;
+  // Its bytes.
+  size_t factor_bytes;
 } FemtoSettings;
 
-// A node whose velocity is prescribed.
-typedef struct FemtoPin {
-  // The node.
-  uint32_t node;
-  // Its velocity, m/s.
-  float velocity[3];
-} FemtoPin;
+// What an asset says of itself.
+typedef struct FemtoAsset {
+  // Nodes of its mesh.
+  size_t nodes;
+  // Tetrahedra of its mesh.
+  size_t tets;
+  // Nodes to hold, which its factor knows of: within the asset.
+  const struct FemtoPin *pins;
+  // Their number.
+  size_t pin_count;
+  // What it was made for, with its factor if it has one.
+  struct FemtoSettings settings;
+} FemtoAsset;
 
 // A shape that nodes cannot enter.
 typedef struct FemtoCollider {
@@ -188,8 +223,12 @@ size_t femto_rest_bytes(size_t nodes, size_t tets);
 // Bytes of a body's state for a start; 0 if there is no such mesh or start.
 size_t femto_state_bytes(size_t nodes, size_t tets, struct FemtoStart start);
 
-// Bytes of the workspace of a step; 0 if there is no such mesh or start.
+// Bytes of the workspace of a step; 0 if there is no such mesh or start. A two-level preconditioner needs
+// femto_coarse_bytes more.
 size_t femto_workspace_bytes(size_t nodes, size_t tets, struct FemtoStart start);
+
+// Bytes that so many aggregates add to the workspace; 0 if there are none, or more than FEMTO_MAX_AGGREGATES.
+size_t femto_coarse_bytes(uint32_t aggregates);
 
 // Makes the rest data of a mesh: nodes in metres, four node numbers a tetrahedron, positively oriented.
 enum FemtoStatus femto_rest_init(void *rest,
@@ -199,6 +238,21 @@ enum FemtoStatus femto_rest_init(void *rest,
                                  const uint32_t (*tets)[4],
                                  size_t tet_count,
                                  const struct FemtoMaterial *material);
+
+// Checks an asset (of the tool `femto bake`), every number of it, and says what it is of. It is read in place: where
+// rest data is asked for, it may be passed instead, and its factor where FemtoSettings names it. `asset_bytes` is
+// exact. Call it once: all other calls trust the numbers of an asset.
+enum FemtoStatus femto_asset_open(const void *asset,
+                                  size_t asset_bytes,
+                                  struct FemtoAsset *out);
+
+// Divides a body into aggregates for a two-level preconditioner: writes one number a node. 8 are the usual choice,
+// FEMTO_MAX_AGGREGATES the most. Goes through the mesh many times: at load, not in every step.
+enum FemtoStatus femto_aggregates_init(uint8_t *aggregates,
+                                       size_t node_count,
+                                       const void *rest,
+                                       size_t rest_bytes,
+                                       uint32_t count);
 
 // Puts a body at rest in the rest shape, with the history that the start needs.
 enum FemtoStatus femto_state_init(void *state,

@@ -188,7 +188,29 @@ impl<'a> Asset<'a> {
     /// # Errors
     /// [`AssetError`].
     pub fn new(bytes: &'a [u8]) -> Result<Self, AssetError> {
-        let header = FileHeader::read(bytes)?;
+        let asset = Self::parse(bytes, false)?;
+        asset.check()?;
+        Ok(asset)
+    }
+
+    /// Whether these bytes begin like an asset.
+    #[must_use]
+    pub fn is_one(bytes: &[u8]) -> bool {
+        bytes.starts_with(&format::MAGIC)
+    }
+
+    /// Borrows once more the bytes of an asset that passed [`Self::new`], without going through its numbers: for
+    /// callers that cannot keep an `Asset`. From bytes that would not pass, it may make a body of nonsense, whose
+    /// steps are refused or nonsense; nothing worse.
+    ///
+    /// # Errors
+    /// [`AssetError`], where the frame or the table of sections is wrong.
+    pub fn reopen(bytes: &'a [u8]) -> Result<Self, AssetError> {
+        Self::parse(bytes, true)
+    }
+
+    fn parse(bytes: &'a [u8], trusted: bool) -> Result<Self, AssetError> {
+        let header = FileHeader::read(bytes, trusted)?;
         let [
             nodes,
             masses,
@@ -240,7 +262,12 @@ impl<'a> Asset<'a> {
                 let order = cast(order, Section::Order)?;
                 let ends = cast(ends, Section::Ends)?;
                 let rows = cast(rows, Section::Rows)?;
-                let factor = Factor::new(header.rest.fingerprint, order, ends, rows, entries);
+                let make = if trusted {
+                    Factor::trusted
+                } else {
+                    Factor::new
+                };
+                let factor = make(header.rest.fingerprint, order, ends, rows, entries);
                 Some(factor.map_err(AssetError::Factor)?)
             }
             None => {
@@ -256,14 +283,12 @@ impl<'a> Asset<'a> {
                 None
             }
         };
-        let asset = Self {
+        Ok(Self {
             rest,
             factor,
             pins,
             metadata,
-        };
-        asset.check()?;
-        Ok(asset)
+        })
     }
 
     /// The settings that it was made for, with its factor if it has one.

@@ -14,24 +14,32 @@ extern crate std;
 use core::ffi::c_void;
 use core::mem::size_of;
 
-use femto_core::body::{StateMut, StateRef, WorkspaceMut, workspace_numbers};
-use femto_core::collider::ColliderError;
+use femto_core::body::{WorkspaceMut, workspace_numbers};
 use femto_core::element::{Factored, RotatedGradients};
 use femto_core::energy::StateHash;
 use femto_core::glam::Vec3;
 use femto_core::lane::{Native, blocks};
-use femto_core::operator::{Fit, RotationBlock, fit_rotations};
+use femto_core::operator::{Fit, fit_rotations};
+use femto_core::preconditioner::Aggregates;
+use femto_core::preconditioner::coarse::coarse_length;
 use femto_core::report::Refusal;
-use femto_core::rest::{Header, Rest, RestMut, TetBlock};
+use femto_core::rest::{Header, RestMut};
 use femto_core::state::StateError;
 use femto_core::step::step;
 use femto_core::vector::copy;
-use femto_core::{Budget, Mesh, Preconditioner};
+use femto_core::{Asset, Mesh, Preconditioner};
 
-use memory::{Head, Piece, REST, STATE, array, bytes, one, put, units};
+use convert::{collider_of, local_of, settings_of, start_code, start_of};
+use memory::{Piece, REST, STATE, array, array_mut, one, padded, put, units};
+use pieces::{
+    cut_state, factor_of, head, read_state, rest_arrays, rest_of, state_arrays, state_of,
+    workspace_arrays,
+};
 pub use types::*;
 
+mod convert;
 mod memory;
+mod pieces;
 mod types;
 
 /// Linked into firmware alone, and only if something can panic: nothing does.
@@ -43,6 +51,9 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
 
 /// Colliders of a step, at most.
 pub const FEMTO_MAX_COLLIDERS: usize = 8;
+
+/// Aggregates of a two-level preconditioner, at most.
+pub const FEMTO_MAX_AGGREGATES: usize = 16;
 
 /// Bytes of the rest data of a mesh; 0 if there is no such mesh.
 #[unsafe(no_mangle)]
@@ -59,13 +70,25 @@ pub extern "C" fn femto_state_bytes(nodes: usize, tets: usize, start: FemtoStart
         .unwrap_or(0)
 }
 
-/// Bytes of the workspace of a step; 0 if there is no such mesh or start.
+/// Bytes of the workspace of a step; 0 if there is no such mesh or start. A two-level preconditioner needs
+/// femto_coarse_bytes more.
 #[unsafe(no_mangle)]
 pub extern "C" fn femto_workspace_bytes(nodes: usize, tets: usize, start: FemtoStart) -> usize {
     start_of(start)
         .ok()
-        .and_then(|start| workspace_arrays(nodes, tets, start.vectors()))
+        .and_then(|start| workspace_arrays(nodes, tets, start.vectors(), 0))
         .unwrap_or(0)
+}
+
+/// Bytes that so many aggregates add to the workspace; 0 if there are none, or more than FEMTO_MAX_AGGREGATES.
+#[unsafe(no_mangle)]
+pub extern "C" fn femto_coarse_bytes(aggregates: u32) -> usize {
+    match usize::try_from(aggregates) {
+        Ok(count) if count <= FEMTO_MAX_AGGREGATES => {
+            padded(size_of::<f32>(), coarse_length(count)).unwrap_or(0)
+        }
+        _ => 0,
+    }
 }
 
 /// Makes the rest data of a mesh: nodes in metres, four node numbers a tetrahedron, positively oriented.
@@ -105,6 +128,76 @@ pub unsafe extern "C" fn femto_rest_init(
         .map_err(|_| FemtoStatus::Mesh)?;
         piece.write_head(head(REST, node_count, tet_count, 0, header));
         Ok(())
+    })
+}
+
+/// Checks an asset (of the tool `femto bake`), every number of it, and says what it is of. It is read in place: where
+/// rest data is asked for, it may be passed instead, and its factor where FemtoSettings names it. `asset_bytes` is
+/// exact. Call it once: all other calls trust the numbers of an asset.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn femto_asset_open(
+    asset: *const c_void,
+    asset_bytes: usize,
+    out: *mut FemtoAsset,
+) -> FemtoStatus {
+    // SAFETY: as above.
+    status(|| unsafe {
+        let piece = Piece::new(asset, asset_bytes)?;
+        // Its place, before the work.
+        array(out.cast::<f32>(), size_of::<FemtoAsset>() / 4, &[piece])?;
+        let opened = Asset::new(piece.bytes()).map_err(|_| FemtoStatus::Asset)?;
+        let settings = opened.metadata.settings;
+        let (preconditioner, factor, factor_bytes) = match opened.factor {
+            Some(_) => (FEMTO_PRECONDITIONER_FACTORED, asset, asset_bytes),
+            None => (FEMTO_PRECONDITIONER_JACOBI, core::ptr::null(), 0),
+        };
+        put(
+            out,
+            FemtoAsset {
+                nodes: opened.rest.nodes.len(),
+                tets: opened.rest.header.tets as usize,
+                pins: opened.pins.as_ptr().cast(),
+                pin_count: opened.pins.len(),
+                settings: FemtoSettings {
+                    dt: settings.dt(),
+                    theta: settings.theta(),
+                    iterations: settings.budget.iterations,
+                    polar_sweeps: settings.budget.polar_sweeps,
+                    start: start_code(settings.start),
+                    preconditioner,
+                    aggregate_count: 0,
+                    aggregates: core::ptr::null(),
+                    factor,
+                    factor_bytes,
+                },
+            },
+        )
+    })
+}
+
+/// Divides a body into aggregates for a two-level preconditioner: writes one number a node. 8 are the usual choice,
+/// FEMTO_MAX_AGGREGATES the most. Goes through the mesh many times: at load, not in every step.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn femto_aggregates_init(
+    aggregates: *mut u8,
+    node_count: usize,
+    rest: *const c_void,
+    rest_bytes: usize,
+    count: u32,
+) -> FemtoStatus {
+    // SAFETY: as above.
+    status(|| unsafe {
+        let piece = Piece::new(rest, rest_bytes)?;
+        let (_, rest) = rest_of(piece)?;
+        let count = usize::try_from(count).map_err(|_| FemtoStatus::Settings)?;
+        if node_count < rest.nodes.len() {
+            return Err(FemtoStatus::TooSmall);
+        }
+        let out = array_mut(aggregates, rest.nodes.len(), &[piece])?;
+        match Aggregates::divide(&rest, count, out) {
+            Ok(_) => Ok(()),
+            Err(_) => Err(FemtoStatus::Settings),
+        }
     })
 }
 
@@ -187,17 +280,33 @@ pub unsafe extern "C" fn femto_step(
         Piece::apart(&[piece, rest, workspace])?;
         let (head, rest) = rest_of(rest)?;
         let mut state = state_of(piece, &head)?;
-        let settings = settings_of(one(settings)?)?;
+        let settings = one(settings)?;
+        let factor = factor_of(&settings, &[piece, workspace])?;
+        let preconditioner = match (settings.preconditioner, &factor) {
+            (_, Some(factor)) => Preconditioner::Factored(factor),
+            (FEMTO_PRECONDITIONER_TWO_LEVEL, None) => {
+                let count = usize::try_from(settings.aggregate_count);
+                let count = count.map_err(|_| FemtoStatus::Settings)?;
+                let nodes = rest.nodes.len();
+                let of = array(settings.aggregates, nodes, &[piece, workspace])?;
+                let aggregates = Aggregates::new(of, count).map_err(|_| FemtoStatus::Settings)?;
+                Preconditioner::TwoLevel(aggregates)
+            }
+            (code, None) => local_of(code)?,
+        };
+        let settings = settings_of(&settings)?.with_preconditioner(preconditioner);
 
-        let (nodes, tets, vectors) = (
+        let (nodes, tets, vectors, coarse) = (
             rest.nodes.len(),
             head.tets as usize,
             settings.start.vectors(),
+            settings.preconditioner.coarse_length(),
         );
-        let workspace = workspace.limited(workspace_arrays(nodes, tets, vectors))?;
+        let workspace = workspace.limited(workspace_arrays(nodes, tets, vectors, coarse))?;
         let mut cutter = workspace.cutter();
         let rotated = cutter.take::<RotatedGradients>(blocks(tets))?;
-        let numbers = cutter.take::<f32>(workspace_numbers(nodes, vectors))?;
+        let numbers = workspace_numbers(nodes, blocks(tets), vectors) + coarse;
+        let numbers = cutter.take::<f32>(numbers)?;
         let mut work = WorkspaceMut::<Factored>::over(&rest, vectors, rotated, numbers);
 
         let used = [piece, workspace];
@@ -234,6 +343,7 @@ pub unsafe extern "C" fn femto_step(
             None => Ok(()),
             Some(Refusal::Pin { .. } | Refusal::Forces) => Err(FemtoStatus::Scene),
             Some(Refusal::History) => Err(FemtoStatus::Settings),
+            Some(Refusal::Factor) => Err(FemtoStatus::WrongBytes),
             Some(_) => Err(FemtoStatus::Refused),
         }
     })
@@ -282,179 +392,3 @@ pub unsafe extern "C" fn femto_hash(
 fn status(call: impl FnOnce() -> Result<(), FemtoStatus>) -> FemtoStatus {
     call().map_or_else(|status| status, |()| FemtoStatus::Ok)
 }
-
-fn head(magic: u32, nodes: usize, tets: usize, history: usize, header: Header) -> Head {
-    // Counts that do not fit become 0, which no piece has.
-    let number = |count: usize| u32::try_from(count).unwrap_or(0);
-    Head {
-        magic,
-        nodes: number(nodes),
-        tets: number(tets),
-        history: number(history),
-        header,
-    }
-}
-
-fn rest_arrays(nodes: usize, tets: usize) -> Option<usize> {
-    numbered(nodes, tets)?;
-    bytes(&[
-        (size_of::<[f32; 3]>(), Some(nodes)),
-        (size_of::<f32>(), Some(nodes)),
-        (size_of::<TetBlock>(), Some(blocks(tets))),
-    ])
-}
-
-fn state_arrays(nodes: usize, tets: usize, history: usize) -> Option<usize> {
-    numbered(nodes, tets)?;
-    bytes(&[
-        (size_of::<[f32; 3]>(), Some(nodes)),
-        (size_of::<[f32; 3]>(), Some(nodes)),
-        (size_of::<[f32; 3]>(), nodes.checked_mul(history)),
-        (size_of::<RotationBlock>(), Some(blocks(tets))),
-    ])
-}
-
-fn workspace_arrays(nodes: usize, tets: usize, vectors: usize) -> Option<usize> {
-    numbered(nodes, tets)?;
-    // More than `workspace_numbers` asks of any mesh and start.
-    nodes.checked_mul(25 + 6 * vectors)?;
-    bytes(&[
-        (size_of::<RotatedGradients>(), Some(blocks(tets))),
-        (size_of::<f32>(), Some(workspace_numbers(nodes, vectors))),
-    ])
-}
-
-/// Nodes and tetrahedra are counted in u32, and there are some.
-fn numbered(nodes: usize, tets: usize) -> Option<()> {
-    let some = |count: usize| u32::try_from(count).is_ok_and(|count| count > 0);
-    (some(nodes) && some(tets)).then_some(())
-}
-
-/// # Safety
-/// As [`Piece::head`].
-unsafe fn rest_of<'a>(piece: Piece) -> Result<(Head, Rest<'a, Factored>), FemtoStatus> {
-    // SAFETY: the caller's.
-    unsafe {
-        let head = piece.expect(REST)?;
-        let (nodes, tets) = (head.nodes as usize, head.tets as usize);
-        let piece = piece.limited(rest_arrays(nodes, tets))?;
-        let mut cutter = piece.cutter();
-        let rest = Rest {
-            nodes: cutter.take(nodes)?,
-            masses: cutter.take(nodes)?,
-            blocks: cutter.take(blocks(tets))?,
-            stiffness: units(blocks(tets)),
-            header: head.header,
-        };
-        Ok((head, rest))
-    }
-}
-
-/// # Safety
-/// As [`memory::Cutter::take`].
-unsafe fn cut_state<'a>(
-    piece: Piece,
-    nodes: usize,
-    tets: usize,
-    history: usize,
-) -> Result<StateMut<'a>, FemtoStatus> {
-    let mut cutter = piece.cutter();
-    // SAFETY: the caller's.
-    unsafe {
-        Ok(StateMut::new(
-            cutter.take(nodes)?,
-            cutter.take(nodes)?,
-            cutter.take(nodes * history)?,
-            cutter.take(blocks(tets))?,
-        ))
-    }
-}
-
-/// The state of a body of this rest data.
-///
-/// # Safety
-/// As [`memory::Cutter::take`].
-unsafe fn state_of<'a>(piece: Piece, rest: &Head) -> Result<StateMut<'a>, FemtoStatus> {
-    // SAFETY: the caller's.
-    unsafe {
-        let head = piece.expect(STATE)?;
-        let same = head.nodes == rest.nodes && head.tets == rest.tets;
-        if !same || head.header.fingerprint != rest.header.fingerprint {
-            return Err(FemtoStatus::WrongBytes);
-        }
-        let (nodes, tets, history) = (
-            head.nodes as usize,
-            head.tets as usize,
-            head.history as usize,
-        );
-        let piece = piece.limited(state_arrays(nodes, tets, history))?;
-        cut_state(piece, nodes, tets, history)
-    }
-}
-
-/// # Safety
-/// As [`Piece::head`].
-unsafe fn read_state<'a>(piece: Piece) -> Result<StateRef<'a>, FemtoStatus> {
-    // SAFETY: the caller's; nothing is written.
-    unsafe {
-        let head = piece.expect(STATE)?;
-        let state = state_of(piece, &head)?;
-        Ok(StateRef::new(
-            state.x,
-            state.v,
-            state.history,
-            state.rotations,
-        ))
-    }
-}
-
-fn start_of(start: FemtoStart) -> Result<femto_core::Start, FemtoStatus> {
-    let velocities = u8::try_from(start.velocities).map_err(|_| FemtoStatus::Settings)?;
-    match (start.kind, velocities) {
-        (FEMTO_START_ZERO, 0) => Ok(femto_core::Start::Zero),
-        (FEMTO_START_VELOCITY, 0) => Ok(femto_core::Start::Velocity),
-        (FEMTO_START_VELOCITY_FORCE, 0) => Ok(femto_core::Start::VelocityForce),
-        (FEMTO_START_GALERKIN, m) => Ok(femto_core::Start::Galerkin(m)),
-        (FEMTO_START_RIGID, m) => Ok(femto_core::Start::Rigid(m)),
-        _ => Err(FemtoStatus::Settings),
-    }
-}
-
-fn settings_of(settings: FemtoSettings) -> Result<femto_core::Settings<'static>, FemtoStatus> {
-    let preconditioner = match settings.preconditioner {
-        FEMTO_PRECONDITIONER_IDENTITY => Preconditioner::Identity,
-        FEMTO_PRECONDITIONER_MASS => Preconditioner::Mass,
-        FEMTO_PRECONDITIONER_JACOBI => Preconditioner::Jacobi,
-        FEMTO_PRECONDITIONER_BLOCK_JACOBI => Preconditioner::BlockJacobi,
-        _ => return Err(FemtoStatus::Settings),
-    };
-    let budget = Budget {
-        iterations: settings.iterations,
-        polar_sweeps: settings.polar_sweeps,
-    };
-    Ok(femto_core::Settings::new(settings.dt)
-        .and_then(|s| s.with_theta(settings.theta))
-        .map_err(|_| FemtoStatus::Settings)?
-        .with_start(start_of(settings.start)?)
-        .with_preconditioner(preconditioner)
-        .with_budget(budget))
-}
-
-fn collider_of(collider: &FemtoCollider) -> Result<femto_core::Collider, Option<ColliderError>> {
-    let vector = Vec3::from_array(collider.vector);
-    let shape = match collider.kind {
-        FEMTO_COLLIDER_HALF_SPACE => femto_core::Collider::half_space(vector, collider.length),
-        FEMTO_COLLIDER_SPHERE => femto_core::Collider::sphere(vector, collider.length),
-        _ => return Err(None),
-    };
-    shape
-        .and_then(|shape| shape.with_friction(collider.friction))
-        .and_then(|shape| shape.with_velocity(Vec3::from_array(collider.velocity)))
-        .map_err(Some)
-}
-
-// Arrays of the one are read as arrays of the other.
-const _: () = {
-    assert!(size_of::<FemtoPin>() == size_of::<femto_core::Pin>());
-    assert!(align_of::<FemtoPin>() == align_of::<femto_core::Pin>());
-};

@@ -100,6 +100,15 @@ impl Piece {
         }
     }
 
+    /// All its bytes.
+    ///
+    /// # Safety
+    /// The piece is memory that nobody writes while they live.
+    pub unsafe fn bytes<'a>(self) -> &'a [u8] {
+        // SAFETY: not null, of a possible size, and any bits are bytes.
+        unsafe { slice::from_raw_parts(self.at, self.bytes) }
+    }
+
     /// What follows the head, to be cut into arrays.
     pub fn cutter(self) -> Cutter {
         Cutter {
@@ -118,6 +127,8 @@ fn possible(address: usize, bytes: usize) -> bool {
 /// # Safety
 /// Only such, and aligned to at most [`FEMTO_ALIGNMENT`].
 pub unsafe trait Plain: Copy {}
+// SAFETY: a byte.
+unsafe impl Plain for u8 {}
 // SAFETY: arrays of f32 and u32.
 unsafe impl Plain for f32 {}
 // SAFETY: as above.
@@ -204,6 +215,26 @@ pub unsafe fn array<'a, T: Plain>(
     }
     // SAFETY: not null, aligned, of a possible size, and any bits are valid; the rest is the caller's word.
     Ok(unsafe { slice::from_raw_parts(at, count) })
+}
+
+/// An array of the caller's that is to be written, apart from pieces that are read meanwhile.
+///
+/// # Safety
+/// It is memory that nobody else uses meanwhile.
+pub unsafe fn array_mut<'a, T: Plain>(
+    at: *mut T,
+    count: usize,
+    read: &[Piece],
+) -> Result<&'a mut [T], FemtoStatus> {
+    // SAFETY: checked for reading as it must be for writing; the rest is the caller's word.
+    unsafe {
+        array(at.cast_const(), count, read)?;
+        Ok(if count == 0 {
+            &mut []
+        } else {
+            slice::from_raw_parts_mut(at, count)
+        })
+    }
 }
 
 /// As many units: they take no memory.

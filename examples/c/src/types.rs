@@ -33,6 +33,9 @@ pub enum FemtoStatus {
     NonFinite = 10,
     /// The step would have given a state that is not finite, or left the range of float; the state is as it was.
     Refused = 11,
+    /// The bytes are no asset of this version, are damaged or cut off, or more than the asset's; or they have no factor,
+    /// where one is asked for.
+    Asset = 12,
 }
 
 /// FemtoMaterial, SI units, with Rayleigh damping.
@@ -80,8 +83,13 @@ pub const FEMTO_PRECONDITIONER_MASS: u32 = 1;
 pub const FEMTO_PRECONDITIONER_JACOBI: u32 = 2;
 /// The 3x3 diagonal blocks.
 pub const FEMTO_PRECONDITIONER_BLOCK_JACOBI: u32 = 3;
+/// The factor of an asset of the same mesh: `factor` and `factor_bytes`.
+pub const FEMTO_PRECONDITIONER_FACTORED: u32 = 4;
+/// Block Jacobi and the rigid motions of aggregates: `aggregates` and `aggregate_count`. The workspace must have
+/// femto_coarse_bytes more.
+pub const FEMTO_PRECONDITIONER_TWO_LEVEL: u32 = 5;
 
-/// How a step is taken.
+/// How a step is taken. What the preconditioner does not use may be 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct FemtoSettings {
@@ -97,6 +105,30 @@ pub struct FemtoSettings {
     pub start: FemtoStart,
     /// FEMTO_PRECONDITIONER_...
     pub preconditioner: u32,
+    /// How many aggregates there are.
+    pub aggregate_count: u32,
+    /// The aggregate of every node, by femto_aggregates_init or of your own: below the count, or 255 for none.
+    pub aggregates: *const u8,
+    /// An asset that passed femto_asset_open.
+    pub factor: *const core::ffi::c_void,
+    /// Its bytes.
+    pub factor_bytes: usize,
+}
+
+/// What an asset says of itself.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct FemtoAsset {
+    /// Nodes of its mesh.
+    pub nodes: usize,
+    /// Tetrahedra of its mesh.
+    pub tets: usize,
+    /// Nodes to hold, which its factor knows of: within the asset.
+    pub pins: *const FemtoPin,
+    /// Their number.
+    pub pin_count: usize,
+    /// What it was made for, with its factor if it has one.
+    pub settings: FemtoSettings,
 }
 
 /// A node whose velocity is prescribed.

@@ -1,21 +1,42 @@
-/* The interface from C, on a host or as firmware: the scene "contact" of examples/cases, whose hashes after 1, 20 and
- * 1,000 steps it prints in the form of golden.txt, and every bad call, which must return its code. */
+/* The interface from C, on a host or as firmware: the scene "contact" of examples/cases with every preconditioner, whose
+ * hashes after 1, 20 and 1,000 steps it prints in the form of golden.txt, and every bad call, which must return its
+ * code. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../femto.h"
+/* The body as assets, with the factors of examples/cases: printed by its program `assets`. */
+#include "assets.h"
 
-enum { NODES = 16, TETS = 18, BYTES = 8192 };
+enum { NODES = 16, TETS = 18, BYTES = 8192, AGGREGATES = 8 };
 
 static _Alignas(FEMTO_ALIGNMENT) unsigned char rest[BYTES], state[BYTES], work[BYTES], other[BYTES];
 static float nodes[NODES][3], velocities[NODES][3];
 static uint32_t tets[TETS][4];
+static uint8_t aggregates[NODES];
 
 static const FemtoMaterial MATERIAL = {2e4f, 0.4f, 1000.0f, 0.05f, 1e-4f};
 static const FemtoStart START = {FEMTO_START_GALERKIN, 1};
-static const FemtoSettings SETTINGS = {1.0f / 150.0f, 1.0f, 5, 2, {FEMTO_START_GALERKIN, 1}, FEMTO_PRECONDITIONER_JACOBI};
+static const FemtoSettings SETTINGS = {
+    .dt = 1.0f / 150.0f,
+    .theta = 1.0f,
+    .iterations = 5,
+    .polar_sweeps = 2,
+    .start = {FEMTO_START_GALERKIN, 1},
+    .preconditioner = FEMTO_PRECONDITIONER_JACOBI,
+};
+static const FemtoSettings TWO_LEVEL = {
+    .dt = 1.0f / 150.0f,
+    .theta = 1.0f,
+    .iterations = 5,
+    .polar_sweeps = 2,
+    .start = {FEMTO_START_GALERKIN, 1},
+    .preconditioner = FEMTO_PRECONDITIONER_TWO_LEVEL,
+    .aggregate_count = AGGREGATES,
+    .aggregates = aggregates,
+};
 
 static int failures;
 
@@ -63,12 +84,12 @@ static uint64_t hash(void) {
 }
 
 /* A snapshot is a copy of the state's bytes: three steps from it are three steps. */
-static void replay(const FemtoScene *scene) {
+static void replay(const void *body, size_t bytes, const FemtoSettings *settings, const FemtoScene *scene) {
     uint64_t first = 0;
     memcpy(other, state, BYTES);
     for (int turn = 0; turn < 2; turn++) {
         for (int k = 0; k < 3; k++)
-            EXPECT(OK, femto_step(state, BYTES, rest, BYTES, work, BYTES, &SETTINGS, scene, NULL));
+            EXPECT(OK, femto_step(state, BYTES, body, bytes, work, BYTES, settings, scene, NULL));
         if (turn == 1 && hash() != first) {
             failures++;
             puts("a replay has other bits");
@@ -78,21 +99,55 @@ static void replay(const FemtoScene *scene) {
     }
 }
 
-static void run(void) {
+/* A run of the body that is in `rest` data or in an asset. */
+static void run(const char *kind, const char *name, const void *body, size_t bytes, const FemtoSettings *settings) {
     FemtoCollider colliders[2] = {
         {FEMTO_COLLIDER_HALF_SPACE, {0.1f, 1.0f, 0.05f}, 0.0f, 0.4f, {0}},
         {FEMTO_COLLIDER_SPHERE, {0.5f, -0.5f, 0.1f}, 0.45f, 0.2f, {0.01f, 0.0f, 0.02f}},
     };
     const FemtoScene scene = {{0.0f, -9.81f, 0.0f}, NULL, 0, NULL, 0, colliders, 2};
-    EXPECT(OK, init());
+    EXPECT(OK, femto_state_init(state, BYTES, body, bytes, START));
+    EXPECT(OK, femto_place(state, BYTES, body, bytes, nodes, velocities, NODES));
     for (int step = 1; step <= 1000; step++) {
         FemtoReport report;
-        EXPECT(OK, femto_step(state, BYTES, rest, BYTES, work, BYTES, &SETTINGS, &scene, &report));
-        if (step == 10) replay(&scene);
-        for (int axis = 0; axis < 3; axis++) colliders[1].vector[axis] += colliders[1].velocity[axis] * SETTINGS.dt;
+        EXPECT(OK, femto_step(state, BYTES, body, bytes, work, BYTES, settings, &scene, &report));
+        if (step == 10) replay(body, bytes, settings, &scene);
+        for (int axis = 0; axis < 3; axis++) colliders[1].vector[axis] += colliders[1].velocity[axis] * settings->dt;
         if (step == 1 || step == 20 || step == 1000)
-            printf("scene contact %d %08lx%08lx\n", step, (unsigned long)(hash() >> 32), (unsigned long)(hash() & 0xffffffffu));
+            printf("%s %s %d %08lx%08lx\n", kind, name, step, (unsigned long)(hash() >> 32),
+                   (unsigned long)(hash() & 0xffffffffu));
     }
+}
+
+/* Every preconditioner; the factored ones with the body read from the asset, too. */
+static void runs(void) {
+    static const char *const LOCAL[] = {"identity", "mass", "jacobi", "block-jacobi"};
+    static const struct {
+        const char *name;
+        const void *bytes;
+        size_t count;
+    } FACTORED[] = {{"warped", ASSET_WARPED, sizeof ASSET_WARPED},
+                    {"warped-half", ASSET_WARPED_HALF, sizeof ASSET_WARPED_HALF},
+                    {"laplacian", ASSET_LAPLACIAN, sizeof ASSET_LAPLACIAN},
+                    {"laplacian-half", ASSET_LAPLACIAN_HALF, sizeof ASSET_LAPLACIAN_HALF}};
+    EXPECT(OK, femto_rest_init(rest, BYTES, nodes, NODES, tets, TETS, &MATERIAL));
+    run("scene", "contact", rest, BYTES, &SETTINGS);
+    for (uint32_t k = 0; k < 4; k++) {
+        FemtoSettings settings = SETTINGS;
+        settings.preconditioner = FEMTO_PRECONDITIONER_IDENTITY + k;
+        run("preconditioner", LOCAL[k], rest, BYTES, &settings);
+    }
+    for (size_t k = 0; k < sizeof FACTORED / sizeof *FACTORED; k++) {
+        FemtoAsset asset;
+        EXPECT(OK, femto_asset_open(FACTORED[k].bytes, FACTORED[k].count, &asset));
+        if (asset.nodes != NODES || asset.tets != TETS || asset.pin_count || asset.settings.factor != FACTORED[k].bytes) {
+            failures++;
+            puts("an asset says other than what is in it");
+        }
+        run("preconditioner", FACTORED[k].name, FACTORED[k].bytes, FACTORED[k].count, &asset.settings);
+    }
+    EXPECT(OK, femto_aggregates_init(aggregates, NODES, rest, BYTES, AGGREGATES));
+    run("preconditioner", "two-level", rest, BYTES, &TWO_LEVEL);
 }
 
 static FemtoStatus step_with(const FemtoSettings *settings, const FemtoScene *scene) {
@@ -287,10 +342,113 @@ static void bad_calls(void) {
     }
 }
 
+/* The same for assets, factors and aggregates. */
+static void bad_preconditioners(void) {
+    const FemtoScene scene = {{0.0f, -9.81f, 0.0f}, NULL, 0, NULL, 0, NULL, 0};
+    const size_t bytes = sizeof ASSET_LAPLACIAN, work_bytes = femto_workspace_bytes(NODES, TETS, START),
+                 coarse_bytes = femto_coarse_bytes(AGGREGATES);
+    FemtoAsset asset;
+    EXPECT(OK, init());
+    EXPECT(OK, femto_asset_open(ASSET_LAPLACIAN, bytes, &asset));
+    const FemtoSettings factored = asset.settings;
+    const uint64_t before = hash();
+
+    /* Opening. */
+    EXPECT(NULL, femto_asset_open(NULL, bytes, &asset));
+    EXPECT(NULL, femto_asset_open(ASSET_LAPLACIAN, bytes, NULL));
+    EXPECT(MISALIGNED, femto_asset_open(ASSET_LAPLACIAN + 4, bytes - 4, &asset));
+    EXPECT(MISALIGNED, femto_asset_open(ASSET_LAPLACIAN, bytes, (void *)(work + 1)));
+    EXPECT(TOO_SMALL, femto_asset_open(ASSET_LAPLACIAN, 32, &asset));
+    EXPECT(TOO_SMALL, femto_asset_open(ASSET_LAPLACIAN, SIZE_MAX, &asset));
+    EXPECT(ASSET, femto_asset_open(ASSET_LAPLACIAN, 64, &asset));
+    EXPECT(ASSET, femto_asset_open(ASSET_LAPLACIAN, bytes - 32, &asset));
+    EXPECT(ASSET, femto_asset_open(rest, BYTES, &asset));
+    memcpy(other, ASSET_LAPLACIAN, bytes);
+    EXPECT(OVERLAP, femto_asset_open(other, bytes, (void *)(other + 256)));
+    EXPECT(ASSET, femto_asset_open(other, BYTES, &asset)); /* More bytes than the asset's. */
+    for (size_t at = 0; at < bytes; at += 7) {
+        other[at] ^= 0x10;
+        EXPECT(ASSET, femto_asset_open(other, bytes, &asset));
+        other[at] ^= 0x10;
+    }
+    EXPECT(OK, femto_asset_open(ASSET_NONE, sizeof ASSET_NONE, &asset));
+    if (asset.settings.preconditioner != FEMTO_PRECONDITIONER_JACOBI || asset.settings.factor) {
+        failures++;
+        puts("a factor from nowhere");
+    }
+
+    /* The factor of a step. */
+    FemtoSettings settings = factored;
+    settings.factor = NULL;
+    EXPECT(NULL, step_with(&settings, &scene));
+    settings.factor = ASSET_LAPLACIAN + 4, settings.factor_bytes = bytes - 4;
+    EXPECT(MISALIGNED, step_with(&settings, &scene));
+    settings = factored, settings.factor_bytes = 32;
+    EXPECT(TOO_SMALL, step_with(&settings, &scene));
+    settings.factor_bytes = bytes - 32;
+    EXPECT(ASSET, step_with(&settings, &scene));
+    settings.factor = rest, settings.factor_bytes = BYTES;
+    EXPECT(ASSET, step_with(&settings, &scene));
+    settings.factor = ASSET_NONE, settings.factor_bytes = sizeof ASSET_NONE;
+    EXPECT(ASSET, step_with(&settings, &scene));
+    settings.factor = state, settings.factor_bytes = BYTES;
+    EXPECT(OVERLAP, step_with(&settings, &scene));
+    settings.factor = work, settings.factor_bytes = BYTES;
+    EXPECT(OVERLAP, step_with(&settings, &scene));
+    other[24] ^= 1; /* The fingerprint: of another mesh. */
+    settings.factor = other, settings.factor_bytes = bytes;
+    EXPECT(WRONG_BYTES, step_with(&settings, &scene));
+
+    /* An asset in the place of rest data. */
+    EXPECT(WRONG_BYTES, femto_step(state, BYTES, other, bytes, work, BYTES, &SETTINGS, &scene, NULL));
+    EXPECT(ASSET, femto_step(state, BYTES, ASSET_NONE, sizeof ASSET_NONE - 32, work, BYTES, &SETTINGS, &scene, NULL));
+    EXPECT(ASSET, femto_state_init(work, BYTES, ASSET_NONE, 96, START));
+    EXPECT(ASSET, femto_place(state, BYTES, ASSET_NONE, 96, nodes, velocities, NODES));
+
+    /* Aggregates and their memory. */
+    if (!coarse_bytes || femto_coarse_bytes(FEMTO_MAX_AGGREGATES + 1) || work_bytes + coarse_bytes > BYTES) {
+        failures++;
+        printf("coarse size %zu\n", coarse_bytes);
+    }
+    uint8_t of[NODES];
+    EXPECT(NULL, femto_aggregates_init(NULL, NODES, rest, BYTES, AGGREGATES));
+    EXPECT(NULL, femto_aggregates_init(of, NODES, NULL, BYTES, AGGREGATES));
+    EXPECT(MISALIGNED, femto_aggregates_init(of, NODES, rest + 4, BYTES - 4, AGGREGATES));
+    EXPECT(TOO_SMALL, femto_aggregates_init(of, NODES - 1, rest, BYTES, AGGREGATES));
+    EXPECT(TOO_SMALL, femto_aggregates_init(of, NODES, rest, 64, AGGREGATES));
+    EXPECT(OVERLAP, femto_aggregates_init(rest + 128, NODES, rest, BYTES, AGGREGATES));
+    EXPECT(SETTINGS, femto_aggregates_init(of, NODES, rest, BYTES, FEMTO_MAX_AGGREGATES + 1));
+    EXPECT(WRONG_BYTES, femto_aggregates_init(of, NODES, state, BYTES, AGGREGATES));
+    EXPECT(OK, femto_aggregates_init(of, NODES, ASSET_NONE, sizeof ASSET_NONE, AGGREGATES));
+    if (memcmp(of, aggregates, NODES) != 0) {
+        failures++;
+        puts("an asset is divided otherwise");
+    }
+    settings = TWO_LEVEL, settings.aggregates = NULL;
+    EXPECT(NULL, step_with(&settings, &scene));
+    settings.aggregates = state + 128;
+    EXPECT(OVERLAP, step_with(&settings, &scene));
+    settings.aggregates = work + 128;
+    EXPECT(OVERLAP, step_with(&settings, &scene));
+    settings = TWO_LEVEL, settings.aggregate_count = FEMTO_MAX_AGGREGATES + 1;
+    EXPECT(SETTINGS, step_with(&settings, &scene));
+    settings.aggregate_count = 1;
+    EXPECT(SETTINGS, step_with(&settings, &scene));
+    EXPECT(TOO_SMALL, femto_step(state, BYTES, rest, BYTES, work, work_bytes + coarse_bytes - 32, &TWO_LEVEL, &scene, NULL));
+
+    if (hash() != before) {
+        failures++;
+        puts("a bad preconditioner changed the state");
+    }
+    EXPECT(OK, femto_step(state, BYTES, rest, BYTES, work, work_bytes + coarse_bytes, &TWO_LEVEL, &scene, NULL));
+    EXPECT(OK, step_with(&factored, &scene)); /* An asset's factor, the same body's rest data. */
+}
+
 int main(void) {
     make_mesh();
-    run();
+    runs();
     bad_calls();
+    bad_preconditioners();
     printf("%d failures\n", failures);
     return failures != 0;
 }

@@ -25,7 +25,12 @@ pub const STEPS: u32 = 1000;
 /// Of the larger mesh.
 const NODES: usize = 27;
 const TETS: usize = 48;
-static MESH: Grid<16, 18> = Grid::new([3, 1, 1]);
+/// Of all scenes but those in fans.
+pub static MESH: Grid<16, 18> = Grid::new([3, 1, 1]);
+/// Young's modulus (Pa), Poisson's ratio, density (kg/m³).
+pub const MATERIAL: [f32; 3] = [2e4, 0.4, 1000.0];
+/// α (1/s) and β (s).
+pub const DAMPING: [f32; 2] = [0.05, 1e-4];
 /// Large enough for tetrahedra that are listed in fans to make some.
 static CUBE: Grid<NODES, TETS> = Grid::new([2, 2, 2]);
 
@@ -174,8 +179,9 @@ fn run_body<L: Layout>(
         (&MESH.nodes, &MESH.tets)
     };
     let mesh = Mesh::new(nodes, tets).map_err(|_| BadCase)?;
-    let material = Material::new(2e4, 0.4, 1000.0)
-        .and_then(|m| m.with_damping(0.05, 1e-4))
+    let [young, poisson, density] = MATERIAL;
+    let material = Material::new(young, poisson, density)
+        .and_then(|m| m.with_damping(DAMPING[0], DAMPING[1]))
         .map_err(|_| BadCase)?;
     body.fill(&mesh, &material).map_err(|_| BadCase)?;
     let mut v = [[0.0; 3]; NODES];
