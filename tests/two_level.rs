@@ -87,8 +87,8 @@ impl<L: Layout> Case<L> {
         let operator = self.operator();
         let mut diagonal = vec![[0.0; 6]; nodes];
         operator.diagonal::<R>(&mut diagonal);
-        // What was there before must not matter.
-        let mut coarse = vec![f32::NAN; coarse_length(self.count)];
+        // What was there before must not matter, nor that there is more than is needed.
+        let mut coarse = vec![f32::NAN; coarse_length(self.count + 1)];
         let room = Room {
             blocks: &mut diagonal,
             coarse: &mut coarse,

@@ -75,8 +75,10 @@ impl<'a> Coarse<'a> {
         scratch: &mut [[f32; 3]],
         out: &'a mut [f32],
     ) -> Self {
+        // Of a longer workspace, as much as is needed: the solves go through the factor from both ends.
         let (centres, matrix) = out
-            .split_at_mut_checked(3 * aggregates.count())
+            .get_mut(..coarse_length(aggregates.count()))
+            .and_then(|out| out.split_at_mut_checked(3 * aggregates.count()))
             .unwrap_or_default();
         let (centres, _) = centres.as_chunks_mut();
         let per_length = 1.0 / operator.rest.header.length_unit;
