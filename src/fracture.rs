@@ -20,6 +20,10 @@
 //! preconditioner is made of the whole body: symmetric and positive definite all the same, it is only the factor
 //! of another matrix then, and gives the right answer in more iterations. A node whose tetrahedra have all
 //! failed flies on by itself: its diagonal of A is its mass.
+//!
+//! With fracture (4 a step) and plastic flow, a tetrahedron takes 770 instructions a step more on x86-64, and 2,680 on a
+//! Cortex-M4F, in every state: `examples/firmware/count MACHINE prove` with and without `FEATURES=inelastic`. It is
+//! 32 bytes of state a block of eight, and 192 for plastic flow.
 
 use core::fmt;
 
@@ -235,7 +239,7 @@ fn volume_form<R: Real>(g: &[[R; 3]; 3], unit: R) -> R {
 }
 
 /// Enough for f32: Jacobi's method squares its error in a sweep once it is small.
-const SWEEPS: u32 = 5;
+const SWEEPS: u32 = 4;
 
 /// The greatest eigenvalue of a symmetric matrix, by a fixed number of sweeps of Jacobi's method; 0 where an entry is
 /// not finite.
@@ -246,27 +250,26 @@ pub(crate) fn greatest_eigenvalue<R: Real>(s: &[[R; 3]; 3]) -> R {
     // Of order one, so that squares neither overflow nor vanish.
     let usable = size.where_below(R::splat(f32::MAX), size, zero);
     let inverse = R::splat(f32::MIN_POSITIVE).where_below(usable, R::splat(1.0) / usable, zero);
-    let mut n = s.map(|row| row.map(|x| x * inverse));
+    // Diagonal, and off it the entry of the two other axes.
+    let mut a = [s[0][0], s[1][1], s[2][2]].map(|x| x * inverse);
+    let mut b = [s[1][2], s[0][2], s[0][1]].map(|x| x * inverse);
+    let half = R::splat(0.5);
     for _ in 0..SWEEPS {
-        for (p, r) in [(0, 1), (0, 2), (1, 2)] {
-            // tan 2φ = 2 n_pr/(n_pp − n_rr)
-            let (c2, s2) = direction(n[p][p] - n[r][r], n[p][r] + n[p][r]);
+        for (p, r, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            // tan 2φ = 2 s_pr/(s_pp − s_rr) makes s_pr zero, and (s_pp + s_rr ± √(…))/2 of the diagonal.
+            let (sum, difference, twice) = (a[p] + a[r], a[p] - a[r], b[k] + b[k]);
+            let (c2, s2) = direction(difference, twice);
+            let length = difference * c2 + twice * s2;
+            (a[p], a[r], b[k]) = (half * (sum + length), half * (sum - length), zero);
             let (half_c, half_s) = half_angle(c2, s2);
             let (c, s) = direction(half_c, half_s);
-            for row in &mut n {
-                let (a, b) = (row[p], row[r]);
-                (row[p], row[r]) = (c * a + s * b, c * b - s * a);
-            }
-            for k in 0..3 {
-                let (a, b) = (n[p][k], n[r][k]);
-                (n[p][k], n[r][k]) = (c * a + s * b, c * b - s * a);
-            }
+            (b[r], b[p]) = (c * b[r] + s * b[p], c * b[p] - s * b[r]);
         }
     }
-    let [a, b, c] = [n[0][0], n[1][1], n[2][2]];
+    let [a, b, c] = a;
     let most = a.where_below(b, b, a);
     let most = most.where_below(c, c, most);
-    R::splat(0.0).where_below(inverse, most * usable, zero)
+    zero.where_below(inverse, most * usable, zero)
 }
 
 #[cfg(test)]

@@ -52,6 +52,10 @@
 //! factor of the matrix at rest that is made once on a host and turned with the body, which leaves
 //! one or two iterations of work however stiff it is.
 //!
+//! Materials may differ from one tetrahedron to another ([`material::Materials`]) and, in the dense layout, from one
+//! direction to another ([`elasticity`]). With the feature `plasticity` a body keeps part of its deformation, with
+//! `fracture` it breaks; what that takes is in the state, where it has room for it, and at the end of a step.
+//!
 //! Pins and contact with colliders are one projection per node ([`constraint`]).
 //!
 //! # The step as a pipeline

@@ -8,7 +8,8 @@
 //! iterations with w stored vectors, and so on. The coefficients of a [`Machine`] were fitted to counts of an
 //! emulator (`.ci/run cost` makes them anew, and says how far the formula is off on meshes that it was not
 //! fitted to: less than 1 %). They hold for the compiler and the profile that stand in the README, with lanes of the
-//! target's width and rest data in the factored layout.
+//! target's width and rest data in the factored layout. Plastic flow and fracture are not part of it: what they take
+//! besides stands with them.
 //!
 //! ```
 //! use femto::cost::{Load, Machine};
