@@ -138,6 +138,8 @@ pub mod settings;
 mod space;
 pub mod state;
 pub mod step;
+#[cfg(feature = "alloc")]
+pub mod surface;
 pub mod vector;
 pub mod workspace;
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use femto::surface::boundary_triangles;
 use glam::DVec3;
 
 use crate::error::Error;
@@ -96,7 +97,7 @@ fn describe(text: &mut String, mesh: &Mesh) {
         return;
     }
     row("pieces", thousands(shape::pieces(mesh.nodes.len(), &nodes)));
-    let surface = shape::surface(&nodes);
+    let surface = boundary_triangles(&nodes);
     let area: f64 = surface
         .iter()
         .map(|f| shape::triangle_area(f.map(|n| mesh.nodes[n as usize])))

@@ -5,12 +5,12 @@ mod camera;
 mod chart;
 mod panel;
 
+use femto::surface::boundary_triangles;
 use glam::{DVec2, DVec3};
 use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Group, Rectangle, Style, Text};
 
-use crate::mesh::shape;
 use crate::scene::{Collider, Scene};
 use crate::sim::{Energies, Sim};
 use camera::{Camera, Frame};
@@ -128,7 +128,7 @@ impl<'a> Preview<'a> {
             surfaces: scene
                 .bodies
                 .iter()
-                .map(|b| shape::surface(&b.tets))
+                .map(|b| boundary_triangles(&b.tets))
                 .collect(),
         }
     }

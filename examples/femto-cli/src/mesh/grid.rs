@@ -92,7 +92,10 @@ mod tests {
             .map(shape::volume)
             .sum();
         assert!((total - 0.125).abs() < 1e-15);
-        assert_eq!(shape::surface(&mesh.tets).len(), 2 * 2 * (6 + 12 + 8));
+        assert_eq!(
+            femto::surface::boundary_triangles(&mesh.tets).len(),
+            2 * 2 * (6 + 12 + 8)
+        );
     }
 
     #[test]

@@ -1,11 +1,8 @@
-//! Measures of tets and meshes: volume, quality, surface, connected pieces.
+//! Measures of tets and meshes: volume, quality, crowded faces, connected pieces.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
-
-/// The four faces of a tet of positive volume, each counter-clockwise seen from outside.
-const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
 /// Signed: positive where (b−a, c−a, d−a) is right-handed.
 pub fn volume([a, b, c, d]: [DVec3; 4]) -> f64 {
@@ -31,34 +28,17 @@ pub fn triangle_area([a, b, c]: [DVec3; 3]) -> f64 {
     (b - a).cross(c - a).length() / 2.0
 }
 
-/// How many tets each face has, by its sorted nodes, and the face as its first tet sees it.
-fn faces(tets: &[[u32; 4]]) -> HashMap<[u32; 3], (u32, usize, [u32; 3])> {
-    let mut faces = HashMap::with_capacity(tets.len() * 5 / 2);
-    for (t, tet) in tets.iter().enumerate() {
-        for (f, corners) in FACES.iter().enumerate() {
-            let face = corners.map(|c| tet[c]);
-            let mut key = face;
-            key.sort_unstable();
-            faces.entry(key).or_insert((0, 4 * t + f, face)).0 += 1;
-        }
-    }
-    faces
-}
-
-/// The triangles that belong to one tet only, outward, in the order of the tets.
-pub fn surface(tets: &[[u32; 4]]) -> Vec<[u32; 3]> {
-    let mut outer: Vec<_> = faces(tets)
-        .into_values()
-        .filter(|&(uses, ..)| uses == 1)
-        .map(|(_, order, face)| (order, face))
-        .collect();
-    outer.sort_unstable();
-    outer.into_iter().map(|(_, face)| face).collect()
-}
-
 /// Faces that more than two tets share: a mesh that overlaps itself.
 pub fn crowded_faces(tets: &[[u32; 4]]) -> usize {
-    faces(tets).values().filter(|&&(uses, ..)| uses > 2).count()
+    let mut uses = HashMap::<[u32; 3], u32>::with_capacity(tets.len() * 5 / 2);
+    for tet in tets {
+        for left_out in 0..4 {
+            let mut face = [1, 2, 3].map(|k| tet[(left_out + k) % 4]);
+            face.sort_unstable();
+            *uses.entry(face).or_default() += 1;
+        }
+    }
+    uses.values().filter(|&&uses| uses > 2).count()
 }
 
 /// In how many pieces the nodes hang together by tets; nodes without a tet do not count.
@@ -109,19 +89,8 @@ mod tests {
     }
 
     #[test]
-    fn surface_points_outward() {
-        let out: f64 = surface(&[[0, 1, 2, 3]])
-            .iter()
-            .map(|f| f.map(|n| UNIT[n as usize]))
-            .map(|[a, b, c]| a.dot(b.cross(c)) / 6.0)
-            .sum();
-        assert!((out - 1.0 / 6.0).abs() < 1e-15); // the divergence theorem gives the volume
-    }
-
-    #[test]
-    fn shared_faces_are_inside_and_pieces_are_counted() {
+    fn pieces_and_crowded_faces_are_counted() {
         let tets = [[0, 1, 2, 3], [1, 2, 3, 4], [5, 6, 7, 8]];
-        assert_eq!(surface(&tets).len(), 3 + 3 + 4);
         assert_eq!(pieces(10, &tets), 2); // node 9 is in no tet
         assert_eq!(
             crowded_faces(&[[0, 1, 2, 3], [0, 1, 2, 4], [0, 1, 2, 5]]),
