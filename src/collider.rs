@@ -1,26 +1,129 @@
 //! Shapes that nodes cannot enter, by signed distance.
+//!
+//! A half-space and a sphere are part of every step that takes colliders; all other shapes are borrowed as
+//! `&dyn` [`SignedDistance`], so that firmware links those that it uses: [`Capsule`], [`Cuboid`], [`HeightField`], each
+//! carried by a moving [`Frame`](crate::frame::Frame) as [`Placed`], or a function of one's own.
+//!
+//! ```
+//! use femto::collider::{Capsule, Collider, Placed};
+//! use femto::frame::Frame;
+//! use femto::glam::{Mat3, Vec3};
+//!
+//! // A drum of 2 m along z, turning once in a second, and a bowl by its signed distance.
+//! let drum = Capsule::new(Vec3::NEG_Z, Vec3::Z, 0.2)?;
+//! let frame = Frame::new(Vec3::Y, Mat3::IDENTITY)?.with_spin(Vec3::Z * core::f32::consts::TAU)?;
+//! let mut drum = Placed::new(drum, frame);
+//! let bowl = |x: Vec3| {
+//!     let length = x.length().max(1e-9);
+//!     (3.0 - length, -x / length)
+//! };
+//! for _ in 0..10 {
+//!     let colliders = [
+//!         Collider::half_space(Vec3::Y, 0.0)?,
+//!         Collider::shape(&drum).with_friction(0.5)?,
+//!         Collider::shape(&bowl),
+//!     ];
+//!     // body.step(&Scene { colliders: &colliders, ..scene }, &settings);
+//!     # assert_eq!(colliders.len(), 3);
+//!     drum.advance(0.01);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Every node is compared with every collider in every step. What that costs is the same in every state for the
+//! shapes here; a function of one's own should choose by [`select`](crate::math::select), not by `if`.
+
+mod height_field;
+mod shapes;
 
 use core::fmt;
 
 use glam::Vec3;
 
 use crate::math::{select, sqrt};
+pub use height_field::HeightField;
+pub use shapes::{Capsule, Cuboid, Placed};
 
-/// A rigid shape with Coulomb friction. Restitution is 0. Lengths in metres.
+/// What a node sees of a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Collider {
-    shape: Shape,
+pub struct Near {
+    /// Signed distance, metres; negative inside.
+    pub distance: f32,
+    /// The outward unit normal: the gradient of the distance.
+    pub normal: Vec3,
+    /// Velocity of the shape's surface here, m/s.
+    pub velocity: Vec3,
+    /// x − distance · `way_out` is on the surface, for x inside: the normal, where the distance is a true one.
+    pub way_out: Vec3,
+}
+
+impl Near {
+    /// Of a shape that rests.
+    #[inline]
+    #[must_use]
+    pub const fn fixed(distance: f32, normal: Vec3) -> Self {
+        Self {
+            distance,
+            normal,
+            velocity: Vec3::ZERO,
+            way_out: normal,
+        }
+    }
+}
+
+/// A shape, by its signed distance. Also any `Fn(Vec3) -> (f32, Vec3)` that gives the distance (metres, negative
+/// inside) and the outward unit normal of a shape that rests, if `Sync`.
+pub trait SignedDistance: Sync {
+    /// What is near `x`, as the shape will be `later` seconds from now; 0 is now.
+    fn near(&self, x: Vec3, later: f32) -> Near;
+
+    /// Whether its surface has a velocity anywhere.
+    fn moves(&self) -> bool {
+        false
+    }
+}
+
+impl<F: Fn(Vec3) -> (f32, Vec3) + Sync> SignedDistance for F {
+    #[inline]
+    fn near(&self, x: Vec3, _later: f32) -> Near {
+        let (distance, normal) = self(x);
+        Near::fixed(distance, normal)
+    }
+}
+
+/// A shape with Coulomb friction. Restitution is 0. Lengths in metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Collider<'a> {
+    shape: Shape<'a>,
     friction: f32,
     velocity: Vec3,
 }
 
 /// The shapes, each with a signed distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Shape {
+enum Shape<'a> {
     /// Keeps normal · x ≥ offset; the normal is of unit length.
     HalfSpace { normal: Vec3, offset: f32 },
     /// Keeps |x − centre| ≥ radius.
     Sphere { centre: Vec3, radius: f32 },
+    /// Any other.
+    Borrowed(Borrowed<'a>),
+}
+
+#[derive(Clone, Copy)]
+struct Borrowed<'a>(&'a dyn SignedDistance);
+
+impl fmt::Debug for Borrowed<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("&dyn SignedDistance")
+    }
+}
+
+/// The same one.
+impl PartialEq for Borrowed<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        core::ptr::addr_eq(self.0, other.0)
+    }
 }
 
 /// What is wrong with a collider.
@@ -37,23 +140,43 @@ pub enum ColliderError {
     Friction,
     /// The velocity is not finite.
     Velocity,
+    /// A borrowed shape moves by itself: its frame has the velocity.
+    Borrowed,
+    /// A box's half lengths are not positive, or their squares not finite.
+    Size,
+    /// Fewer than two samples an axis, another number of heights than of samples, or a spacing that is not positive.
+    Grid,
+    /// A height is not finite, or the slope to the next is not.
+    Height {
+        /// Its place in the list.
+        index: u32,
+    },
 }
 
 impl fmt::Display for ColliderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        let text = match self {
             Self::Normal => "the normal must be finite and not zero",
             Self::Place => "the offset or centre must be finite",
             Self::Radius => "the radius must be positive, and its square finite",
             Self::Friction => "the coefficient of friction must be finite and not negative",
             Self::Velocity => "the velocity must be finite",
-        })
+            Self::Borrowed => "a borrowed shape moves by its own frame",
+            Self::Size => "half the lengths of a box must be positive, and their squares finite",
+            Self::Grid => {
+                "a height field needs two samples an axis, one height for each, and a positive spacing"
+            }
+            Self::Height { index } => {
+                return write!(f, "height {index}, or the slope there, is not finite");
+            }
+        };
+        f.write_str(text)
     }
 }
 
 impl core::error::Error for ColliderError {}
 
-impl Collider {
+impl<'a> Collider<'a> {
     /// Keeps `normal` · x ≥ `offset` (the offset is along the unit normal, in metres). No friction.
     ///
     /// # Errors
@@ -96,6 +219,16 @@ impl Collider {
         })
     }
 
+    /// Keeps nodes out of a shape that is borrowed. No friction; it moves as it says itself.
+    #[must_use]
+    pub const fn shape(shape: &'a dyn SignedDistance) -> Self {
+        Self {
+            shape: Shape::Borrowed(Borrowed(shape)),
+            friction: 0.0,
+            velocity: Vec3::ZERO,
+        }
+    }
+
     /// With Coulomb's coefficient of friction, static and sliding.
     ///
     /// # Errors
@@ -108,24 +241,28 @@ impl Collider {
         }
     }
 
-    /// Whose surface moves at `velocity` (m/s). The shape stays where it is until [`Self::advance`].
+    /// A half-space or sphere whose surface moves at `velocity` (m/s). The shape stays where it is until
+    /// [`Self::advance`].
     ///
     /// # Errors
-    /// [`ColliderError::Velocity`].
+    /// [`ColliderError::Velocity`], [`ColliderError::Borrowed`].
     pub fn with_velocity(self, velocity: Vec3) -> Result<Self, ColliderError> {
-        if velocity.is_finite() {
+        if matches!(self.shape, Shape::Borrowed(_)) {
+            Err(ColliderError::Borrowed)
+        } else if velocity.is_finite() {
             Ok(Self { velocity, ..self })
         } else {
             Err(ColliderError::Velocity)
         }
     }
 
-    /// Moves the shape on by `time` seconds of its velocity.
+    /// Moves the shape on by `time` seconds of its velocity. A borrowed one is advanced by who owns it.
     pub fn advance(&mut self, time: f32) {
         let travel = self.velocity * time;
         match &mut self.shape {
             Shape::HalfSpace { normal, offset } => *offset += normal.dot(travel),
             Shape::Sphere { centre, .. } => *centre += travel,
+            Shape::Borrowed(_) => {}
         }
     }
 
@@ -135,17 +272,34 @@ impl Collider {
         self.friction
     }
 
-    /// Velocity of the surface, m/s.
+    /// Velocity of the surface, m/s; zero for a borrowed shape, see [`Self::near`].
     #[must_use]
     pub fn velocity(&self) -> Vec3 {
         self.velocity
+    }
+
+    /// Whether its surface has a velocity anywhere.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        match self.shape {
+            Shape::Borrowed(shape) => shape.0.moves(),
+            _ => self.velocity != Vec3::ZERO,
+        }
     }
 
     /// Signed distance of a point (metres, negative inside) and the outward unit normal there.
     #[inline]
     #[must_use]
     pub fn distance(&self, x: Vec3) -> (f32, Vec3) {
-        match self.shape {
+        let near = self.near(x);
+        (near.distance, near.normal)
+    }
+
+    /// What is near a point now.
+    #[inline]
+    #[must_use]
+    pub fn near(&self, x: Vec3) -> Near {
+        let (distance, normal) = match self.shape {
             Shape::HalfSpace { normal, offset } => (normal.dot(x) - offset, normal),
             Shape::Sphere { centre, radius } => {
                 let from = x - centre;
@@ -160,6 +314,21 @@ impl Collider {
                 );
                 (length - radius, normal)
             }
+            Shape::Borrowed(shape) => return shape.0.near(x, 0.0),
+        };
+        Near {
+            velocity: self.velocity,
+            ..Near::fixed(distance, normal)
+        }
+    }
+
+    /// What is near a point `time` seconds later.
+    #[inline]
+    #[must_use]
+    pub fn near_after(&self, x: Vec3, time: f32) -> Near {
+        match self.shape {
+            Shape::Borrowed(shape) => shape.0.near(x, time),
+            _ => self.near(x - self.velocity * time),
         }
     }
 }

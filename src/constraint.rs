@@ -119,7 +119,7 @@ pub(crate) struct Decisions<'a> {
 /// Decides who is in contact and who slides. Returns the number of contacts. Without colliders nothing
 /// is read or written.
 pub(crate) fn touch(
-    colliders: &[Collider],
+    colliders: &[Collider<'_>],
     step: &ContactStep<'_>,
     out: &mut Decisions<'_>,
 ) -> u32 {
@@ -150,8 +150,8 @@ pub(crate) fn touch(
         let w = v + push * (step.velocity_unit / a);
         *gap = [0.0; 3];
         for collider in colliders {
-            let (d, n) = collider.distance(x);
-            let s = collider.velocity();
+            let near = collider.near(x);
+            let (d, n, s) = (near.distance, near.normal, near.velocity);
             let keep = -((w - s).dot(n) + d * per_dt); // N
             let approach = d + step.dt * (v - s).dot(n);
             let fall = approach + step.dt * step.dt * step.gravity.dot(n);
@@ -218,7 +218,7 @@ fn outer(&[x, y, z]: &[f32; 3]) -> Sym3<f32> {
 /// and takes the speed of entering from it. A node that started the step inside leaves it without the
 /// speed of being pushed out.
 pub(crate) fn land(
-    colliders: &[Collider],
+    colliders: &[Collider<'_>],
     dt: f32,
     length_unit: f32,
     x_old: &[f32; 3],
@@ -227,12 +227,12 @@ pub(crate) fn land(
 ) {
     let margin = TOUCHING * length_unit;
     for collider in colliders {
-        let s = collider.velocity();
-        let was_inside = collider.distance(Vec3::from_array(*x_old)).0 < -margin;
+        let was_inside = collider.near(Vec3::from_array(*x_old)).distance < -margin;
         let (mut at, mut speed) = (Vec3::from_array(*x), Vec3::from_array(*v));
-        let (d, n) = collider.distance(at - s * dt);
+        let near = collider.near_after(at, dt);
+        let (d, n, s) = (near.distance, near.normal, near.velocity);
         let enters = d < 0.0;
-        at -= n * select(enters, d, 0.0);
+        at -= near.way_out * select(enters, d, 0.0);
         let normal_speed = (speed - s).dot(n);
         let stop = (enters & (normal_speed < 0.0)) | (was_inside & (normal_speed > 0.0));
         speed -= n * select(stop, normal_speed, 0.0);

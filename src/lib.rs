@@ -118,6 +118,7 @@ mod fan;
 #[cfg(feature = "fracture")]
 pub mod fracture;
 mod inelastic;
+pub mod frame;
 pub mod lane;
 pub mod material;
 pub mod math;
@@ -149,6 +150,7 @@ pub use collider::Collider;
 pub use constraint::Pin;
 #[cfg(feature = "fracture")]
 pub use fracture::Fracture;
+pub use frame::Frame;
 pub use lane::blocks;
 pub use material::{Material, Materials, Regions};
 pub use mesh::Mesh;

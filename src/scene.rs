@@ -15,16 +15,13 @@ pub struct Scene<'a> {
     /// Nodes whose velocity is prescribed. Of two pins on a node the later counts.
     pub pins: &'a [Pin],
     /// What nodes cannot enter.
-    pub colliders: &'a [Collider],
+    pub colliders: &'a [Collider<'a>],
 }
 
 impl Scene<'_> {
     /// Whether anything in it has a velocity of its own.
     pub(crate) fn moves(&self) -> bool {
         self.pins.iter().any(|pin| pin.velocity != Vec3::ZERO)
-            || self
-                .colliders
-                .iter()
-                .any(|collider| collider.velocity() != Vec3::ZERO)
+            || self.colliders.iter().any(Collider::moves)
     }
 }

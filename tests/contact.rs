@@ -12,7 +12,7 @@ use support::scenes::Setup;
 
 const GRAVITY: Vec3 = Vec3::new(0.0, -9.81, 0.0);
 
-fn ground(friction: f32) -> Collider {
+fn ground(friction: f32) -> Collider<'static> {
     Collider::half_space(Vec3::Y, 0.0)
         .unwrap()
         .with_friction(friction)

@@ -23,7 +23,7 @@ const ITERATIONS: [u32; 6] = [1, 2, 3, 5, 10, 30];
 /// What a scene's state is after some converged steps, and what the step from there has to solve.
 struct Case {
     setup: Setup,
-    colliders: Vec<Collider>,
+    colliders: Vec<Collider<'static>>,
     steps: u32,
 }
 

@@ -31,7 +31,7 @@ fn setup() -> Setup {
     setup
 }
 
-fn colliders() -> [Collider; 1] {
+fn colliders() -> [Collider<'static>; 1] {
     [Collider::half_space(Vec3::new(0.1, 1.0, 0.0), 0.0)
         .unwrap()
         .with_friction(0.3)

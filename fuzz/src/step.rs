@@ -261,7 +261,7 @@ struct SceneData {
     gravity: Vec3,
     forces: Vec<[f32; 3]>,
     pins: Vec<Pin>,
-    colliders: Vec<Collider>,
+    colliders: Vec<Collider<'static>>,
 }
 
 impl SceneData {
@@ -299,7 +299,7 @@ fn pin(bytes: &mut Bytes<'_>, nodes: usize) -> Pin {
     }
 }
 
-fn collider(bytes: &mut Bytes<'_>) -> Option<Collider> {
+fn collider(bytes: &mut Bytes<'_>) -> Option<Collider<'static>> {
     let make = if bytes.flag() {
         Collider::sphere
     } else {

@@ -21,7 +21,7 @@ use super::{any_setup, any_vector, noise, rest};
 struct Slide {
     setup: Setup,
     forces: Vec<[f32; 3]>,
-    colliders: [Collider; 2],
+    colliders: [Collider<'static>; 2],
 }
 
 impl Slide {

@@ -62,7 +62,7 @@ pub fn settings_of<'a>(settings: &FemtoSettings) -> Result<femto_core::Settings<
 
 pub fn collider_of(
     collider: &FemtoCollider,
-) -> Result<femto_core::Collider, Option<ColliderError>> {
+) -> Result<femto_core::Collider<'static>, Option<ColliderError>> {
     let vector = Vec3::from_array(collider.vector);
     let shape = match collider.kind {
         FEMTO_COLLIDER_HALF_SPACE => femto_core::Collider::half_space(vector, collider.length),

@@ -421,7 +421,10 @@ fn built<L: Build>(
 }
 
 /// Where a collider is at a time; `substep` of a moving one goes on from there.
-fn collider_at(collider: &Collider, time: f64) -> Result<collider::Collider, ColliderError> {
+fn collider_at(
+    collider: &Collider,
+    time: f64,
+) -> Result<collider::Collider<'static>, ColliderError> {
     let built = match collider.shape_at(time) {
         Shape::Plane { normal, offset } => {
             let normal = Vec3::from_array(normal.to_array().map(|x| x as f32));

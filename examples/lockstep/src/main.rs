@@ -39,7 +39,7 @@ fn inputs(step: usize) -> [Input; 2] {
 struct Player {
     body: OwnedBody,
     settings: Settings<'static>,
-    colliders: [Collider; 1],
+    colliders: [Collider<'static>; 1],
 }
 
 impl Player {

@@ -134,7 +134,7 @@ pub struct Body {
     aggregates: Vec<u8>,
     pub gravity: Vec3,
     pub pins: Vec<Pin>,
-    pub colliders: Vec<Collider>,
+    pub colliders: Vec<Collider<'static>>,
     pub forces: Vec<[f32; 3]>,
 }
 
