@@ -31,7 +31,7 @@
 //! ```
 //!
 //! Every node is compared with every collider in every step. What that costs is the same in every state for the
-//! shapes here; a function of one's own should choose by [`select`](crate::math::select), not by `if`.
+//! shapes here; a function of one's own should choose by [`select`], not by `if`.
 
 mod height_field;
 mod shapes;

@@ -120,6 +120,7 @@ pub mod fracture;
 mod inelastic;
 pub mod frame;
 pub mod lane;
+pub mod load;
 pub mod material;
 pub mod math;
 pub mod mesh;
