@@ -283,6 +283,11 @@ fn checked_step<R: Lanes, L: Layout>(
     if !scene.colliders.is_empty() {
         system.apply(work.p, work.q);
         space.close_gap(work.v, work.r, work.p, work.q);
+        // From here on only P r counts. Constraint impulses, which are of b's size, would drown it where P is
+        // a projection to rounding only.
+        for (r, p) in work.r.iter_mut().zip(&*work.filter) {
+            *r = sym_mul(p, r);
+        }
     }
     let residual_before = filtered_norm(work.filter, work.r);
 
