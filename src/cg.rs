@@ -19,6 +19,8 @@ use crate::vector::{advance, dot, scale_and_add};
 pub(crate) trait System {
     /// `out` = A u
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]);
+    /// `q` = P q, where A p would leave what drowns P r.
+    fn confine(&self, q: &mut [[f32; 3]]);
     /// `z` = P B P r, symmetric and positive semidefinite
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]);
     /// Square of the norm that tells a residual from rounding, given rᵀPBPr.
@@ -55,6 +57,7 @@ pub(crate) fn solve(
         previous = select(live, rz, 0.0);
         scale_and_add(p, beta, q);
         system.apply(p, q);
+        system.confine(q);
         let (rp, pap) = (dot(r, p), dot(p, q));
         let alpha = select(live, ratio_or_zero(rp, pap, 0.0), 0.0);
         advance(v, r, alpha, p, q);

@@ -53,6 +53,8 @@ pub struct Near {
     pub normal: Vec3,
     /// Velocity of the shape's surface here, m/s.
     pub velocity: Vec3,
+    /// Acceleration of what is at the surface here, m/s².
+    pub acceleration: Vec3,
     /// x − distance · `way_out` is on the surface, for x inside: the normal, where the distance is a true one.
     pub way_out: Vec3,
 }
@@ -66,6 +68,7 @@ impl Near {
             distance,
             normal,
             velocity: Vec3::ZERO,
+            acceleration: Vec3::ZERO,
             way_out: normal,
         }
     }

@@ -10,12 +10,16 @@
 //! node's row of A v⁺ = b. With signed distance d, normal n, and the surface's velocity s,
 //!
 //! ```text
-//! N = −(w − s)·n − d/h          impulse (over a) that would keep the node out
+//! N = −(w − s⁻)·n − d/h         impulse (over a) that would keep the node out
 //! active:  N > 0, and d ≤ margin or d + h (v − s + h g)·n < 0;   or d > margin and d + h (v − s)·n < 0
 //! it moves with the surface, c·n = s·n, and closes the gap: c_gap·n = −τ max(d, 0)/h with 0 ≤ τ ≤ 1
-//! |w_t − s_t| ≤ μN: it sticks, c_t = s_t
-//! else it slides:     −γ (v⁺_t − s_t) acts on it, γ = aμN / (|w_t − s_t| − μN)
+//! |w_t − s⁻_t| ≤ μN: it sticks, c_t = s_t
+//! else it slides:     −γ (v⁺_t − s_t) acts on it, γ = aμN / (|w_t − s⁻_t| − μN)
 //! ```
+//!
+//! The points of a surface that spins have an acceleration ṡ, of which the part along the surface counts. s is their mean
+//! velocity in this step, ṡh/2 more than at its begin, so that what sticks goes round with it; s⁻ = s − hṡ is
+//! that of the step before, when what moves along got its velocity.
 //!
 //! The node by itself would slide at v⁺_t − s_t = (w_t − s_t)(1 − μN/|w_t − s_t|), so that γ is Coulomb's
 //! friction made implicit: in steady sliding it is exactly aμN, it cannot turn the motion round, and
@@ -151,8 +155,11 @@ pub(crate) fn touch(
         *gap = [0.0; 3];
         for collider in colliders {
             let near = collider.near(x);
-            let (d, n, s) = (near.distance, near.normal, near.velocity);
-            let keep = -((w - s).dot(n) + d * per_dt); // N
+            let (d, n) = (near.distance, near.normal);
+            let gained = near.acceleration * (0.5 * step.dt);
+            let gained = gained - n * gained.dot(n);
+            let (before, s) = (near.velocity - gained, near.velocity + gained); // s⁻, s
+            let keep = -((w - before).dot(n) + d * per_dt); // N
             let approach = d + step.dt * (v - s).dot(n);
             let fall = approach + step.dt * step.dt * step.gravity.dot(n);
             let meets = (d > margin) & (approach < 0.0);
@@ -170,7 +177,7 @@ pub(crate) fn touch(
                 *entry -= inverse * product;
             }
 
-            let slip = sym_mul(p, &(w - s).to_array()); // w_t − s_t
+            let slip = sym_mul(p, &(w - before).to_array()); // w_t − s⁻_t
             let speed = sqrt(slip[0] * slip[0] + slip[1] * slip[1] + slip[2] * slip[2]);
             let grip = collider.friction() * select(keep > 0.0, keep, 0.0); // μN
             let left = speed - grip;

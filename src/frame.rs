@@ -186,6 +186,13 @@ impl Frame {
         self.velocity + self.spin.cross(x - self.origin)
     }
 
+    /// ω × (ω × (x − origin)), m/s²
+    #[inline]
+    #[must_use]
+    pub fn acceleration_at(&self, x: Vec3) -> Vec3 {
+        self.spin.cross(self.spin.cross(x - self.origin))
+    }
+
     /// Writes where the pinned nodes are in the frame, for [`Self::carry`]. `x` are the body's positions. A pin of a
     /// node that does not exist gets zero.
     pub fn hold(&self, pins: &[Pin], x: &[[f32; 3]], local: &mut [[f32; 3]]) {

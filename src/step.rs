@@ -84,12 +84,23 @@ impl Units {
 struct Filtered<'a, L: Layout, R> {
     operator: &'a Operator<'a, L>,
     preconditioner: Prepared<'a>,
+    /// Whether nodes may touch something.
+    touches: bool,
     lanes: core::marker::PhantomData<R>,
 }
 
 impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         self.operator.apply::<R>(u, out);
+    }
+    /// Impulses of contacts are of b's size, and a P whose normal is not along an axis lets a rounding of them
+    /// through. Pins have an exact P.
+    fn confine(&self, q: &mut [[f32; 3]]) {
+        if self.touches {
+            for (q, p) in q.iter_mut().zip(self.preconditioner.filter()) {
+                *q = sym_mul(p, q);
+            }
+        }
     }
     #[inline(always)]
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
@@ -219,6 +230,7 @@ fn checked_step<R: Lanes, L: Layout>(
             },
             work.q,
         ),
+        touches: !scene.colliders.is_empty(),
         lanes: core::marker::PhantomData,
     };
 
@@ -283,11 +295,8 @@ fn checked_step<R: Lanes, L: Layout>(
     if !scene.colliders.is_empty() {
         system.apply(work.p, work.q);
         space.close_gap(work.v, work.r, work.p, work.q);
-        // From here on only P r counts. Constraint impulses, which are of b's size, would drown it where P is
-        // a projection to rounding only.
-        for (r, p) in work.r.iter_mut().zip(&*work.filter) {
-            *r = sym_mul(p, r);
-        }
+        // From here on only P r counts.
+        system.confine(work.r);
     }
     let residual_before = filtered_norm(work.filter, work.r);
 

@@ -57,9 +57,11 @@ impl<'a> HeightField<'a> {
             let [x, z] = per_spacing;
             let slope = (field.height(ahead[0], k) - here) * x;
             let other = (field.height(i, ahead[1]) - here) * z;
-            here.is_finite() && (4.0 * (slope * slope + other * other)).is_finite()
+            (4.0 * (slope * slope + other * other)).is_finite()
         };
-        let bad = (0..nx * nz).find(|&index| !slopes_fit(index));
+        let infinite = (0..).zip(heights).find(|(_, height)| !height.is_finite());
+        let infinite = infinite.map(|(index, _)| index);
+        let bad = infinite.or_else(|| (0..nx * nz).find(|&index| !slopes_fit(index)));
         bad.map_or(Ok(field), |index| Err(ColliderError::Height { index }))
     }
 

@@ -158,6 +158,7 @@ impl<S: SignedDistance> SignedDistance for Placed<S> {
             normal: turned(own.normal),
             way_out: turned(own.way_out),
             velocity: frame.velocity_at(x) + turned(own.velocity),
+            acceleration: frame.acceleration_at(x) + turned(own.acceleration),
         }
     }
 
