@@ -117,8 +117,8 @@ pub mod energy;
 mod fan;
 #[cfg(feature = "fracture")]
 pub mod fracture;
-mod inelastic;
 pub mod frame;
+mod inelastic;
 pub mod lane;
 pub mod load;
 pub mod material;

@@ -185,11 +185,15 @@ impl Direct {
                 radius,
             }),
             velocity: Vector::default(),
+            angular_velocity: Vector::default(),
+            pivot: None,
         };
         let cuboid = |&[a, b, c, d, e, f]: &[f64; 6]| file::Pin {
             corners: Some(Corners([[a, b, c], [d, e, f]])),
             sphere: None,
             velocity: Vector::default(),
+            angular_velocity: Vector::default(),
+            pivot: None,
         };
         let rotate = |[x, y, z, degrees]: [f64; 4]| file::Rotate {
             axis: Vector([x, y, z]),
@@ -237,6 +241,8 @@ impl Direct {
                 ..file::Solver::default()
             },
             body: vec![body],
+            pressure: Vec::new(),
+            wind: Vec::new(),
             collider: Vec::new(),
         };
         scene::check("command line", raw, &mut PathBuf::new())
@@ -343,6 +349,11 @@ fn bake(scene: &Scene, index: usize, options: Option<FactorOptions>) -> Result<V
         value: body.source.clone(),
         why,
     };
+    if !body.carried.is_empty() {
+        return Err(wrong(
+            "has pins that turn; an asset holds pins with a velocity".into(),
+        ));
+    }
     let asset = Asset {
         rest: rest.view(),
         factor: factor.as_ref().map(OwnedFactor::view),

@@ -5,9 +5,11 @@
 
 mod asset_info;
 mod bake;
+mod colliders;
 mod demo;
 mod error;
 mod info;
+mod loads;
 mod material;
 pub mod mesh;
 mod place;

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 
 use glam::{DMat3, DVec3};
 
+use crate::colliders::Motion;
 use crate::error::Error;
+use crate::loads::Carried;
 use crate::scene::Checker;
 use crate::scene_file::{self as file, Corners, Vector};
 
@@ -93,33 +95,46 @@ impl Placing {
 }
 
 /// Rodrigues: R = cos I + sin k× + (1 − cos) k kᵀ, columns.
-fn rotation(k: DVec3, degrees: f64) -> DMat3 {
+pub fn rotation(k: DVec3, degrees: f64) -> DMat3 {
     let (sin, cos) = libm::sincos(degrees * (std::f64::consts::PI / 180.0));
     let column = |e: DVec3| cos * e + sin * k.cross(e) + (1.0 - cos) * k.dot(e) * k;
     DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z))
 }
 
 /// The nodes that the body's pins hold, chosen by placed rest position, bounds included.
-pub fn pins(
-    check: &Checker,
-    key: &str,
-    raw: &file::Body,
-    rest: &[DVec3],
-) -> Result<Vec<(u32, [f32; 3])>, Error> {
+pub fn pins(check: &Checker, key: &str, raw: &file::Body, rest: &[DVec3]) -> Result<Pins, Error> {
     let mut pins = BTreeMap::new();
+    let mut frames = Vec::new();
     for (i, pin) in raw.pin.iter().enumerate() {
         let key = format!("{key}.pin[{i}]");
         let velocity = check.vector(&format!("{key}.velocity"), pin.velocity)?;
+        check.vector(&format!("{key}.angular_velocity"), pin.angular_velocity)?;
+        let pivot = pin.pivot.unwrap_or_default();
+        check.vector(&format!("{key}.pivot"), pivot)?;
+        let mut motion = Motion {
+            velocity: DVec3::from(pin.velocity.0),
+            spin: DVec3::from(pin.angular_velocity.0),
+            pivot: DVec3::from(pivot.0),
+        };
+        motion.frame(0.0).map_err(|why| {
+            let spin = pin.angular_velocity.0;
+            check.wrong(&format!("{key}.angular_velocity"), &spin, why)
+        })?;
         let (corners, sphere) = (pin.corners.as_ref(), pin.sphere.as_ref());
         let (key, value, region) = region(check, &key, corners, sphere)?;
-        let mut selected = false;
+        let (mut selected, mut sum) = (0_u32, DVec3::ZERO);
         for (node, &X) in rest.iter().enumerate() {
             if region.holds(X) {
-                pins.insert(node as u32, velocity);
-                selected = true;
+                pins.insert(node as u32, (velocity, i));
+                selected += 1;
+                sum += X;
             }
         }
-        if !selected {
+        if pin.pivot.is_none() {
+            motion.pivot = sum / f64::from(selected.max(1));
+        }
+        frames.push(motion);
+        if selected == 0 {
             return Err(Error::Value {
                 file: check.file.into(),
                 key,
@@ -128,8 +143,27 @@ pub fn pins(
             });
         }
     }
-    Ok(pins.into_iter().collect())
+    let turning = frames
+        .iter()
+        .enumerate()
+        .filter(|(_, m)| m.spin != DVec3::ZERO);
+    let carried = turning.map(|(i, &motion)| Carried {
+        motion,
+        nodes: pins
+            .iter()
+            .filter(|pin| pin.1.1 == i)
+            .map(|pin| *pin.0)
+            .collect(),
+    });
+    let carried = carried.collect();
+    Ok((
+        pins.into_iter().map(|(node, (v, _))| (node, v)).collect(),
+        carried,
+    ))
 }
+
+/// Nodes and velocities, by rising node; and those that a turning frame carries.
+pub type Pins = (Vec<(u32, [f32; 3])>, Vec<Carried>);
 
 /// A box or a sphere, with the key and the value that it was given by.
 pub fn region(

@@ -4,6 +4,7 @@
 mod camera;
 mod chart;
 mod panel;
+mod solid;
 
 use femto::surface::boundary_triangles;
 use glam::{DVec2, DVec3};
@@ -11,7 +12,8 @@ use svg::Document;
 use svg::node::Blob;
 use svg::node::element::{Group, Rectangle, Style, Text};
 
-use crate::scene::{Collider, Scene};
+use crate::colliders::Collider;
+use crate::scene::Scene;
 use crate::sim::{Energies, Sim};
 use camera::{Camera, Frame};
 use panel::{Bounds, Panel};
@@ -39,7 +41,7 @@ const BODIES: [[&str; 3]; 6] = [
     ["#6b5a12", "#f7e6a0", "#51440d"],
     ["#6b2430", "#f8bcc5", "#521b24"],
 ];
-/// Spheres of colliders.
+/// Colliders.
 const SOLID: [&str; 3] = ["#8b8d91", "#f1f1ef", "#85878b"];
 
 pub struct Moment {
@@ -58,7 +60,7 @@ impl Moment {
         let surface = |(body, tets): (usize, &&[[u32; 4]])| {
             let whole = sim.whole(body, tets.len());
             let left = tets.iter().zip(whole).filter(|(_, whole)| *whole);
-            shape::surface(&left.map(|(tet, _)| *tet).collect::<Vec<_>>())
+            boundary_triangles(&left.map(|(tet, _)| *tet).collect::<Vec<_>>())
         };
         let broken = sim.damage().is_some_and(|damage| damage.broken_tets > 0);
         let torn = broken.then(|| tets.iter().enumerate().map(surface).collect());
@@ -260,7 +262,7 @@ impl<'a> Preview<'a> {
     fn colliders_at(&self, time: f64) -> Vec<Collider> {
         let at = |c: &Collider| Collider {
             shape: c.shape_at(time),
-            ..*c
+            ..c.clone()
         };
         self.scene.colliders.iter().map(at).collect()
     }

@@ -8,7 +8,9 @@ use std::path::{Path, PathBuf};
 use femto_bake::Kind;
 use glam::DVec3;
 
+use crate::colliders::{self, Collider};
 use crate::error::Error;
+use crate::loads::{self, Carried, Load};
 use crate::material::{Laws, Substances};
 use crate::mesh::{self, Mesh, check};
 use crate::place;
@@ -32,6 +34,7 @@ pub struct Scene {
     pub layout: Layout,
     pub bodies: Vec<Body>,
     pub colliders: Vec<Collider>,
+    pub loads: Vec<Load>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,43 +81,8 @@ pub struct Body {
     pub v: Vec<[f32; 3]>,
     /// Node and prescribed velocity, by rising node; a later pin overrules an earlier one.
     pub pins: Vec<(u32, [f32; 3])>,
-}
-
-/// Positions at time 0, in f64: a moving collider is advanced before it is rounded.
-#[derive(Clone, Copy, Debug)]
-pub struct Collider {
-    pub shape: Shape,
-    pub friction: f32,
-    pub velocity: DVec3,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub enum Shape {
-    /// Keeps normal·x ≥ offset; the normal has length 1.
-    Plane {
-        normal: DVec3,
-        offset: f64,
-    },
-    Sphere {
-        centre: DVec3,
-        radius: f64,
-    },
-}
-
-impl Collider {
-    pub fn shape_at(&self, time: f64) -> Shape {
-        let moved = self.velocity * time;
-        match self.shape {
-            Shape::Plane { normal, offset } => Shape::Plane {
-                normal,
-                offset: offset + normal.dot(moved),
-            },
-            Shape::Sphere { centre, radius } => Shape::Sphere {
-                centre: centre + moved,
-                radius,
-            },
-        }
-    }
+    /// Pins whose velocity is that of a frame that turns.
+    pub carried: Vec<Carried>,
 }
 
 /// Where meshes come from: a folder, or the ones built into the tool.
@@ -244,9 +212,9 @@ impl Checker<'_> {
             "dense" => Layout::Dense,
             other => return Err(self.wrong("solver.layout", &other, "must be factored or dense")),
         };
-        let mut colliders = Vec::new();
+        let mut solids = Vec::new();
         for (i, collider) in raw.collider.iter().enumerate() {
-            colliders.push(self.collider(&format!("collider[{i}]"), collider)?);
+            solids.push(colliders::check(self, &format!("collider[{i}]"), collider)?);
         }
         if raw.body.is_empty() {
             return Err(Error::Scene {
@@ -271,8 +239,9 @@ impl Checker<'_> {
             preconditioner,
             start,
             layout,
+            loads: loads::check(self, &raw.pressure, &raw.wind, &bodies)?,
             bodies,
-            colliders,
+            colliders: solids,
         })
     }
 
@@ -309,53 +278,6 @@ impl Checker<'_> {
                 })
             }
         }
-    }
-
-    fn collider(&self, key: &str, raw: &file::Collider) -> Result<Collider, Error> {
-        let friction = self.not_negative(&format!("{key}.friction"), raw.friction)?;
-        self.vector(&format!("{key}.velocity"), raw.velocity)?;
-        let kinds = [
-            ("plane", raw.plane.is_some()),
-            ("sphere", raw.sphere.is_some()),
-            ("capsule", raw.capsule.is_some()),
-            ("box", raw.cuboid.is_some()),
-        ];
-        let named: Vec<&str> = kinds.iter().filter(|k| k.1).map(|k| k.0).collect();
-        if named.len() != 1 {
-            return Err(self.wrong(
-                key,
-                &named,
-                "must have exactly one shape: plane, sphere, capsule or box",
-            ));
-        }
-        for (name, value) in [("capsule", &raw.capsule), ("box", &raw.cuboid)] {
-            if let Some(value) = value {
-                let why = "not available in this version; use plane or sphere";
-                return Err(Error::Value {
-                    file: self.file.into(),
-                    key: format!("{key}.{name}"),
-                    value: crate::error::one_line(&value.to_string()),
-                    why: why.into(),
-                });
-            }
-        }
-        let shape = if let Some(plane) = &raw.plane {
-            let (normal, length) = self.direction(&format!("{key}.plane.normal"), plane.normal)?;
-            self.any(&format!("{key}.plane.offset"), plane.offset)?;
-            // n·x ≥ offset for the normal as it is written: both sides are divided.
-            let offset = plane.offset / length;
-            self.any(&format!("{key}.plane.offset / |normal|"), offset)?;
-            Shape::Plane { normal, offset }
-        } else {
-            let sphere = raw.sphere.as_ref().expect("one shape is there");
-            let (centre, radius) = self.sphere(&format!("{key}.sphere"), sphere)?;
-            Shape::Sphere { centre, radius }
-        };
-        Ok(Collider {
-            shape,
-            friction,
-            velocity: DVec3::from(raw.velocity.0),
-        })
     }
 
     pub fn sphere(&self, key: &str, raw: &file::Sphere) -> Result<(DVec3, f64), Error> {
@@ -426,7 +348,7 @@ impl Checker<'_> {
             .map_err(|why| bad_mesh(format!("placed {why}")))?;
         let substances = Substances::new(self, key, raw, mesh, &placing, &placed)?;
         let laws = Laws::new(self, key, raw, mesh.tets.len())?;
-        let pins = place::pins(self, key, raw, &placed)?;
+        let (pins, carried) = place::pins(self, key, raw, &placed)?;
         let (x, v) = placing.start(&placed);
         let x = placing
             .round(&x)
@@ -448,6 +370,7 @@ impl Checker<'_> {
             x,
             v,
             pins,
+            carried,
         })
     }
 }

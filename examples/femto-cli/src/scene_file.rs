@@ -23,6 +23,10 @@ pub struct SceneFile {
     pub body: Vec<Body>,
     #[serde(default)]
     pub collider: Vec<Collider>,
+    #[serde(default)]
+    pub pressure: Vec<Pressure>,
+    #[serde(default)]
+    pub wind: Vec<Wind>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -172,6 +176,9 @@ pub struct Pin {
     pub sphere: Option<Sphere>,
     #[serde(default)]
     pub velocity: Vector,
+    #[serde(default)]
+    pub angular_velocity: Vector,
+    pub pivot: Option<Vector>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -179,13 +186,72 @@ pub struct Pin {
 pub struct Collider {
     pub plane: Option<Plane>,
     pub sphere: Option<Sphere>,
-    pub capsule: Option<toml::Value>,
+    pub capsule: Option<Capsule>,
     #[serde(rename = "box")]
-    pub cuboid: Option<toml::Value>,
+    pub cuboid: Option<Cuboid>,
+    pub height_field: Option<HeightField>,
     #[serde(default)]
     pub friction: f64,
     #[serde(default)]
     pub velocity: Vector,
+    #[serde(default)]
+    pub angular_velocity: Vector,
+    pub pivot: Option<Vector>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Capsule {
+    pub from: Vector,
+    pub to: Vector,
+    pub radius: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cuboid {
+    pub centre: Vector,
+    pub size: Vector,
+    pub rotate: Option<Rotate>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HeightField {
+    #[serde(default)]
+    pub corner: Vector,
+    pub spacing: Pair,
+    /// A row has the heights of one x.
+    pub heights: Vec<Vec<f64>>,
+    pub rotate: Option<Rotate>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pressure {
+    /// The body, by its place in the file.
+    #[serde(default)]
+    pub body: usize,
+    pub pascals: f64,
+    /// Of gas inside, which the volume changes.
+    #[serde(default)]
+    pub gas: bool,
+    #[serde(default)]
+    pub outside: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Wind {
+    /// All bodies, where it is not there.
+    pub body: Option<usize>,
+    pub velocity: Vector,
+    #[serde(default = "air")]
+    pub density: f64,
+    #[serde(default = "two")]
+    pub normal: f64,
+    #[serde(default)]
+    pub tangential: f64,
 }
 
 #[derive(Debug, Deserialize)]
@@ -212,6 +278,18 @@ impl TryFrom<Vec<f64>> for Vector {
     type Error = String;
     fn try_from(list: Vec<f64>) -> Result<Self, String> {
         exactly(list, "numbers").map(Vector)
+    }
+}
+
+/// Exactly two numbers.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(try_from = "Vec<f64>")]
+pub struct Pair(pub [f64; 2]);
+
+impl TryFrom<Vec<f64>> for Pair {
+    type Error = String;
+    fn try_from(list: Vec<f64>) -> Result<Self, String> {
+        exactly(list, "numbers").map(Pair)
     }
 }
 
@@ -271,6 +349,14 @@ fn one() -> f64 {
 
 fn four() -> u32 {
     4
+}
+
+fn two() -> f64 {
+    2.0
+}
+
+fn air() -> f64 {
+    1.2
 }
 
 fn ones() -> Vector {

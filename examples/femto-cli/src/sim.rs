@@ -1,9 +1,9 @@
 //! The only file that runs the library's solver.
 
+use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 use femto::body::{rest_bytes, state_bytes, workspace_bytes};
-use femto::collider::{self, ColliderError};
 use femto::constraint::Pin;
 use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
@@ -19,10 +19,12 @@ use femto::step::{Scene as StepScene, StepReport};
 use femto_bake::OwnedFactor;
 use serde::Serialize;
 
+use crate::colliders::Solid;
 use crate::error::Error;
+use crate::loads::Acting;
 use crate::material::Laws;
 use crate::prepare::{self, Build, Factors};
-use crate::scene::{self, Collider, Scene, Shape};
+use crate::scene::{self, Scene};
 
 /// The step by step life of a scene.
 pub struct Sim<'a> {
@@ -32,7 +34,7 @@ pub struct Sim<'a> {
     substeps: u32,
     /// In f64, for the places of moving colliders.
     substep: f64,
-    colliders: Vec<Collider>,
+    colliders: Vec<Solid<'a>>,
     /// Substeps made so far.
     made: u64,
 }
@@ -41,6 +43,7 @@ pub struct Sim<'a> {
 struct Body<'a> {
     kind: Kind,
     pins: Vec<Pin>,
+    acting: Acting,
     factor: Option<Factor<'a>>,
     /// The aggregate of each node, for the two-level preconditioner.
     aggregates: Option<Vec<u8>>,
@@ -134,7 +137,7 @@ pub struct Memory {
 }
 
 impl<'a> Sim<'a> {
-    pub fn new(scene: &Scene, factors: &'a Factors) -> Result<Self, Error> {
+    pub fn new(scene: &'a Scene, factors: &'a Factors) -> Result<Self, Error> {
         let wrong = |key: &str, value: String, why: String| Error::Value {
             file: scene.file.clone(),
             key: key.into(),
@@ -167,6 +170,8 @@ impl<'a> Sim<'a> {
             bodies.push(Body {
                 kind,
                 pins: body.pins.iter().map(pin).collect(),
+                acting: Acting::new(&scene.loads, [(i, body)].into_iter())
+                    .map_err(|why| wrong(&format!("body[{i}]"), body.source.clone(), why))?,
                 factor: factor.as_ref().map(OwnedFactor::view),
                 aggregates,
                 laws: body.laws,
@@ -180,14 +185,11 @@ impl<'a> Sim<'a> {
                 },
             });
         }
+        let mut colliders = Vec::new();
         for (i, collider) in scene.colliders.iter().enumerate() {
-            collider_at(collider, 0.0).map_err(|e| {
-                wrong(
-                    &format!("collider[{i}]"),
-                    format!("{:?}", collider.shape),
-                    e.to_string(),
-                )
-            })?;
+            let shape = format!("{:?}", collider.shape);
+            let solid = Solid::new(collider);
+            colliders.push(solid.map_err(|why| wrong(&format!("collider[{i}]"), shape, why))?);
         }
         Ok(Sim {
             bodies,
@@ -195,7 +197,7 @@ impl<'a> Sim<'a> {
             settings,
             substeps: scene.budget.substeps,
             substep: scene.substep,
-            colliders: scene.colliders.clone(),
+            colliders,
             made: 0,
         })
     }
@@ -233,18 +235,21 @@ impl<'a> Sim<'a> {
         };
         for substep in 0..self.substeps {
             let time = self.made as f64 * self.substep;
-            let colliders: Result<Vec<_>, _> = self
-                .colliders
-                .iter()
-                .map(|c| collider_at(c, time))
-                .collect();
-            let colliders = colliders.map_err(|e| format!("a collider has moved too far: {e}"))?;
+            let too_far = |e: &dyn Display| format!("a collider has moved too far: {e}");
+            for solid in &mut self.colliders {
+                solid.move_to(time).map_err(|e| too_far(&e))?;
+            }
+            let colliders: Result<Vec<_>, _> = self.colliders.iter().map(|c| c.at(time)).collect();
+            let colliders = colliders.map_err(|e| too_far(&e))?;
             let (mut residual, mut rhs) = (0.0, 0.0);
             info.contacts = 0;
             for (i, body) in self.bodies.iter_mut().enumerate() {
+                let (x, v) = with!(&body.kind, body => (body.positions(), body.velocities()));
+                body.acting
+                    .carry(time, self.settings.dt(), x, &mut body.pins)?;
                 let scene = StepScene {
                     gravity: self.gravity,
-                    forces: &[],
+                    forces: body.acting.forces(x, v),
                     pins: &body.pins,
                     colliders: &colliders,
                 };
@@ -418,27 +423,6 @@ fn built<L: Build>(
         None => Needs::from(&own_settings(settings, None, None, laws)),
     };
     Ok(Box::new(OwnedBody::from_rest(rest, needs)))
-}
-
-/// Where a collider is at a time; `substep` of a moving one goes on from there.
-fn collider_at(
-    collider: &Collider,
-    time: f64,
-) -> Result<collider::Collider<'static>, ColliderError> {
-    let built = match collider.shape_at(time) {
-        Shape::Plane { normal, offset } => {
-            let normal = Vec3::from_array(normal.to_array().map(|x| x as f32));
-            collider::Collider::half_space(normal, offset as f32)
-        }
-        Shape::Sphere { centre, radius } => {
-            let centre = Vec3::from_array(centre.to_array().map(|x| x as f32));
-            collider::Collider::sphere(centre, radius as f32)
-        }
-    }?;
-    let velocity = Vec3::from_array(collider.velocity.to_array().map(|x| x as f32));
-    built
-        .with_friction(collider.friction)?
-        .with_velocity(velocity)
 }
 
 fn memory_of<L: Layout>(body: &OwnedBody<L>, needs: Needs) -> Memory {

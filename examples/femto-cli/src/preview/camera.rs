@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::panel::Bounds;
-use crate::scene::{Collider, Shape};
+use super::solid;
+use crate::colliders::{Collider, Shape};
 
 const AZIMUTH: f64 = 30.0;
 const ELEVATION: f64 = 17.0;
@@ -85,7 +86,7 @@ impl Camera {
         p.dot(self.eye)
     }
 
-    /// The frame that shows these points, the ground straight under them, and spheres near them.
+    /// The frame that shows these points, the ground straight under them, and solids near them.
     pub fn frame(&self, points: &[DVec3], window: &Bounds, colliders: &[Collider]) -> Frame {
         let mut needed: Vec<DVec2> = points.iter().map(|&p| self.project(p)).collect();
         for collider in colliders {
@@ -102,6 +103,20 @@ impl Camera {
                     {
                         let c = self.project(centre);
                         needed.extend([c - radius, c + radius]);
+                    }
+                }
+                _ => {
+                    let corners: Vec<DVec3> = solid::triangles(&collider.shape)
+                        .into_iter()
+                        .flatten()
+                        .collect();
+                    let own = Bounds::of(corners.iter());
+                    let size = own.diagonal();
+                    let middle = (own.low + own.high) / 2.0;
+                    if size < 2.0 * window.diagonal()
+                        && window.distance(middle) < size / 2.0 + window.diagonal()
+                    {
+                        needed.extend(corners.iter().map(|&p| self.project(p)));
                     }
                 }
             }

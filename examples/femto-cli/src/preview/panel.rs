@@ -6,7 +6,9 @@ use glam::{DVec2, DVec3};
 use svg::node::element::{ClipPath, Group, Path, Rectangle};
 
 use super::camera::{Camera, Frame};
-use crate::scene::{Collider, Shape};
+use crate::colliders::{Collider, Shape};
+
+use super::solid;
 
 /// Shades of a colour between its shadow side and its lit side.
 const SHADES: usize = 24;
@@ -14,8 +16,8 @@ const SHADES: usize = 24;
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
-    low: DVec3,
-    high: DVec3,
+    pub low: DVec3,
+    pub high: DVec3,
 }
 
 impl Bounds {
@@ -77,7 +79,7 @@ struct Facet {
     shade: usize,
 }
 
-/// The style sheet: a class for each colour and shade. Spheres come after the bodies.
+/// The style sheet: a class for each colour and shade. Colliders come after the bodies.
 pub fn style(bodies: &[[&str; 3]], solid: &[&str; 3]) -> String {
     let mut css = String::from(".s{stroke-width:.45;stroke-linejoin:round}");
     for (i, [dark, light, line]) in bodies.iter().chain([solid]).enumerate() {
@@ -129,13 +131,8 @@ impl Panel<'_> {
             }
         }
         for collider in colliders {
-            if let Shape::Sphere { centre, radius } = collider.shape {
-                let ball = sphere(centre, radius);
-                facets.extend(
-                    ball.into_iter()
-                        .filter_map(|c| self.facet(c, super::BODIES.len())),
-                );
-            }
+            let solid = solid::triangles(&collider.shape).into_iter();
+            facets.extend(solid.filter_map(|c| self.facet(c, super::BODIES.len())));
         }
         facets.sort_by(|a, b| a.depth.total_cmp(&b.depth));
         let mut triangles = Group::new().set("class", "s");
@@ -247,26 +244,6 @@ impl Panel<'_> {
         let at = (self.camera.project(p) - self.frame.middle()) * self.scale;
         DVec2::new(self.size[0] / 2.0 + at.x, self.size[1] / 2.0 - at.y)
     }
-}
-
-/// Triangles of a ball, outward.
-fn sphere(centre: DVec3, radius: f64) -> Vec<[DVec3; 3]> {
-    const RINGS: u32 = 14;
-    const SECTORS: u32 = 28;
-    let at = |ring: u32, sector: u32| {
-        let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(ring) / f64::from(RINGS));
-        let (s, c) = libm::sincos(std::f64::consts::TAU * f64::from(sector) / f64::from(SECTORS));
-        centre + radius * DVec3::new(sin * s, cos, sin * c)
-    };
-    let mut triangles = Vec::new();
-    for ring in 0..RINGS {
-        for sector in 0..SECTORS {
-            let (a, b) = (at(ring, sector), at(ring, sector + 1));
-            let (c, d) = (at(ring + 1, sector), at(ring + 1, sector + 1));
-            triangles.extend([[a, c, b], [b, c, d]]);
-        }
-    }
-    triangles
 }
 
 /// A tenth of a pixel is enough.
