@@ -6,11 +6,12 @@
 use core::fmt::Arguments;
 use core::hint::black_box;
 
+use femto::collider::{Capsule, Cuboid, HeightField, Placed, SignedDistance};
 use femto::cost::Load;
-use femto::glam::Vec3;
+use femto::glam::{Mat3, Vec3};
 use femto::preconditioner::Aggregates;
 use femto::{
-    Body, Budget, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start,
+    Body, Budget, Collider, Frame, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start,
     StepReport, blocks,
 };
 
@@ -136,8 +137,8 @@ const PLAIN: Case = Case {
     inelastic: false,
 };
 
-/// Steps of the 64-node cube in every state, for every preconditioner and start; free and touching two colliders,
-/// and held.
+/// Steps of the 64-node cube in every state: with colliders of all shapes; for every preconditioner and start free and
+/// touching two colliders, and held.
 ///
 /// # Errors
 /// [`BadCase`].
@@ -147,6 +148,19 @@ pub fn prove(
 ) -> Result<(), BadCase> {
     let [cube, ..] = OTHERS;
     fill(room, cube)?;
+    for state in STATES {
+        let case = Case {
+            colliders: 5,
+            ..PLAIN
+        };
+        let label = |_, say: &mut dyn FnMut(Arguments<'_>)| {
+            say(format_args!(
+                "{} {} shapes {} ",
+                PLAIN.preconditioner.0, PLAIN.start.0, state.0
+            ));
+        };
+        counted(room, cube, &case, state, label, counter)?;
+    }
     for preconditioner in PRECONDITIONERS {
         for start in STARTS {
             // In a very short step without gravity the solver has soon nothing to do, and in a body at
@@ -350,6 +364,12 @@ fn fill(room: &mut Room, (nodes, tets): Rest) -> Result<(), BadCase> {
     room.body.fill(&mesh, &material).map_err(|_| BadCase)
 }
 
+/// A borrowed shape with friction.
+fn rough(shape: &dyn SignedDistance) -> Result<Collider<'_>, BadCase> {
+    let collider = Collider::shape(shape).with_friction(0.3);
+    collider.map_err(|_| BadCase)
+}
+
 /// Takes one step from a state between the marks, after `label` has said what it is.
 fn counted(
     room: &mut Room,
@@ -380,7 +400,22 @@ fn counted(
         .and_then(|c| c.with_velocity(velocity));
     let ball =
         Collider::sphere(Vec3::new(0.5, -0.5, 0.5), 0.51).and_then(|c| c.with_velocity(velocity));
-    let colliders = [ground.map_err(|_| BadCase)?, ball.map_err(|_| BadCase)?];
+    // All other shapes, in the way of the body, too; one of them in a frame that spins.
+    let frame = Frame::new(Vec3::new(0.2, -0.1, 0.2), Mat3::IDENTITY)
+        .and_then(|f| f.with_spin(Vec3::new(1.0, 2.0, 3.0)))
+        .map_err(|_| BadCase)?;
+    let slab = Cuboid::new(Vec3::ZERO, Vec3::new(0.3, 0.2, 0.4)).map_err(|_| BadCase)?;
+    let slab = Placed::new(slab, frame);
+    let log = Capsule::new(Vec3::ZERO, Vec3::new(0.5, 0.1, 0.3), 0.1).map_err(|_| BadCase)?;
+    let heights = [0.0, 0.1, -0.1, 0.05, 0.2, 0.0, 0.1, -0.2, 0.15];
+    let field = HeightField::new(&heights, [3, 3], [0.2, 0.25]).map_err(|_| BadCase)?;
+    let colliders = [
+        ground.map_err(|_| BadCase)?,
+        ball.map_err(|_| BadCase)?,
+        rough(&slab)?,
+        rough(&log)?,
+        rough(&field)?,
+    ];
     let pins = [0, 1, 2].map(|node| Pin { node, velocity });
     let scene = Scene {
         gravity: Vec3::new(0.0, case.gravity, 0.0),
