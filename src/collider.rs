@@ -74,6 +74,14 @@ impl Near {
     }
 }
 
+/// A shape's surface in a step: its mean velocity there in the step before, and in this one.
+pub(crate) struct Surface {
+    pub distance: f32,
+    pub normal: Vec3,
+    pub before: Vec3,
+    pub velocity: Vec3,
+}
+
 /// A shape, by its signed distance. Also any `Fn(Vec3) -> (f32, Vec3)` that gives the distance (metres, negative
 /// inside) and the outward unit normal of a shape that rests, if `Sync`.
 pub trait SignedDistance: Sync {
@@ -275,7 +283,7 @@ impl<'a> Collider<'a> {
         self.friction
     }
 
-    /// Velocity of the surface, m/s; zero for a borrowed shape, see [`Self::near`].
+    /// Velocity of the surface, m/s; zero for a borrowed shape, see [`Self::near_after`].
     #[must_use]
     pub fn velocity(&self) -> Vec3 {
         self.velocity
@@ -294,15 +302,7 @@ impl<'a> Collider<'a> {
     #[inline]
     #[must_use]
     pub fn distance(&self, x: Vec3) -> (f32, Vec3) {
-        let near = self.near(x);
-        (near.distance, near.normal)
-    }
-
-    /// What is near a point now.
-    #[inline]
-    #[must_use]
-    pub fn near(&self, x: Vec3) -> Near {
-        let (distance, normal) = match self.shape {
+        match self.shape {
             Shape::HalfSpace { normal, offset } => (normal.dot(x) - offset, normal),
             Shape::Sphere { centre, radius } => {
                 let from = x - centre;
@@ -317,11 +317,33 @@ impl<'a> Collider<'a> {
                 );
                 (length - radius, normal)
             }
-            Shape::Borrowed(shape) => return shape.0.near(x, 0.0),
-        };
-        Near {
+            Shape::Borrowed(shape) => {
+                let near = shape.0.near(x, 0.0);
+                (near.distance, near.normal)
+            }
+        }
+    }
+
+    /// The speeds that a step of `dt` compares a node at `x` with: see [`crate::constraint`].
+    #[inline]
+    pub(crate) fn over(&self, x: Vec3, dt: f32) -> Surface {
+        if let Shape::Borrowed(shape) = self.shape {
+            let near = shape.0.near(x, 0.0);
+            let gained = near.acceleration * (0.5 * dt);
+            let along = gained - near.normal * gained.dot(near.normal);
+            return Surface {
+                distance: near.distance,
+                normal: near.normal,
+                before: near.velocity - along,
+                velocity: near.velocity + along,
+            };
+        }
+        let (distance, normal) = self.distance(x);
+        Surface {
+            distance,
+            normal,
+            before: self.velocity,
             velocity: self.velocity,
-            ..Near::fixed(distance, normal)
         }
     }
 
@@ -329,9 +351,13 @@ impl<'a> Collider<'a> {
     #[inline]
     #[must_use]
     pub fn near_after(&self, x: Vec3, time: f32) -> Near {
-        match self.shape {
-            Shape::Borrowed(shape) => shape.0.near(x, time),
-            _ => self.near(x - self.velocity * time),
+        if let Shape::Borrowed(shape) = self.shape {
+            return shape.0.near(x, time);
+        }
+        let (distance, normal) = self.distance(x - self.velocity * time);
+        Near {
+            velocity: self.velocity,
+            ..Near::fixed(distance, normal)
         }
     }
 }

@@ -154,11 +154,9 @@ pub(crate) fn touch(
         let w = v + push * (step.velocity_unit / a);
         *gap = [0.0; 3];
         for collider in colliders {
-            let near = collider.near(x);
-            let (d, n) = (near.distance, near.normal);
-            let gained = near.acceleration * (0.5 * step.dt);
-            let gained = gained - n * gained.dot(n);
-            let (before, s) = (near.velocity - gained, near.velocity + gained); // s⁻, s
+            let surface = collider.over(x, step.dt);
+            let (d, n) = (surface.distance, surface.normal);
+            let (before, s) = (surface.before, surface.velocity); // s⁻, s
             let keep = -((w - before).dot(n) + d * per_dt); // N
             let approach = d + step.dt * (v - s).dot(n);
             let fall = approach + step.dt * step.dt * step.gravity.dot(n);
@@ -234,7 +232,7 @@ pub(crate) fn land(
 ) {
     let margin = TOUCHING * length_unit;
     for collider in colliders {
-        let was_inside = collider.near(Vec3::from_array(*x_old)).distance < -margin;
+        let was_inside = collider.distance(Vec3::from_array(*x_old)).0 < -margin;
         let (mut at, mut speed) = (Vec3::from_array(*x), Vec3::from_array(*v));
         let near = collider.near_after(at, dt);
         let (d, n, s) = (near.distance, near.normal, near.velocity);
