@@ -43,7 +43,7 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
             filter,
             blocks,
             inertia,
-            fans: bytemuck::cast_slice_mut(fans),
+            fans: bytemuck::try_cast_slice_mut(fans).unwrap_or_default(),
             v,
             r,
             p,
