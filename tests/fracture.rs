@@ -78,39 +78,39 @@ fn pulled(mesh: TetMesh, speed: f32) -> Setup {
 }
 
 /// Evenly stretched with ν = 0, every tetrahedron has the stress E s along the bar and none across: the bar
-/// holds up to strength/E and not beyond.
+/// holds up to strength/E and not beyond, whatever its size.
 #[test]
 fn an_even_bar_holds_up_to_its_strength() {
-    let setup = Setup {
-        poisson: 0.0,
-        ..Setup::new(
-            "bar",
-            jitter(&box_mesh([1.0, 0.25, 0.25], [5, 2, 2]), 0.02, 4),
-        )
-    };
-    let strength = 5e4; // E s at s = 0.05
-    let settings = setup
-        .settings()
-        .with_fracture(Fracture::new(strength, 16, 1000).unwrap());
-    for (strain, fails) in [(0.0499, false), (0.0501, true), (-0.5, false)] {
-        let mut body = body_of(&setup, &settings);
-        let move_node = |(node, x): (u32, &[f32; 3])| Pin {
-            node,
-            velocity: Vec3::new(strain * x[0] / setup.h, 0.0, 0.0),
+    const STRENGTH: f32 = 5e4; // E s at s = 0.05
+    for size in [1e-6, 1.0, 1e6] {
+        let mut mesh = jitter(&box_mesh([1.0, 0.25, 0.25], [5, 2, 2]), 0.02, 4);
+        let numbers = mesh.nodes.as_flattened_mut();
+        numbers.iter_mut().for_each(|x| *x *= size);
+        let setup = Setup {
+            poisson: 0.0,
+            ..Setup::new("bar", mesh)
         };
-        let pins: Vec<Pin> = (0_u32..).zip(&setup.mesh.nodes).map(move_node).collect();
-        let report = body.step(&setup.scene(&pins), &settings);
-        assert!(report.advanced());
-        let (count, all) = (
-            broken(&body.state().view(), setup.mesh.tets.len()).len(),
-            setup.mesh.tets.len() as u32,
-        );
-        assert_eq!(count, if fails { 16 } else { 0 }, "{strain}");
-        assert_eq!(
-            (report.fracture.broken, report.fracture.left),
-            (count as u32, 1000 - count as u32)
-        );
-        assert_eq!(report.fracture.spared, if fails { all - 16 } else { 0 });
+        let law = Fracture::new(STRENGTH, 16, 1000).unwrap();
+        let (settings, tets) = (setup.settings().with_fracture(law), setup.mesh.tets.len());
+        for (strain, fails) in [(0.0499, false), (0.0501, true), (-0.5, false)] {
+            let mut body = body_of(&setup, &settings);
+            let move_node = |(node, x): (u32, &[f32; 3])| Pin {
+                node,
+                velocity: Vec3::new(strain * x[0] / setup.h, 0.0, 0.0),
+            };
+            let pins: Vec<Pin> = (0_u32..).zip(&setup.mesh.nodes).map(move_node).collect();
+            let report = body.step(&setup.scene(&pins), &settings);
+            assert!(report.advanced());
+            let expected = if fails {
+                (16, tets as u32 - 16)
+            } else {
+                (0, 0)
+            };
+            let found = (report.fracture.broken, report.fracture.spared);
+            assert_eq!(found, expected, "{strain} of {size} m");
+            assert_eq!(broken(&body.state().view(), tets).len() as u32, found.0);
+            assert_eq!(report.fracture.left, 1000 - found.0);
+        }
     }
 }
 
