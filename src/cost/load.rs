@@ -100,7 +100,8 @@ pub struct Load {
     pub coarse: Coarse,
     /// Pins of the scene.
     pub pins: usize,
-    /// Colliders of the scene.
+    /// Colliders of the scene, as half-spaces. Another shape costs more, a number a node that is the same in every
+    /// state and that the tables do not hold: count it.
     pub colliders: usize,
     /// Whether a pin or collider has a velocity.
     pub moving: bool,

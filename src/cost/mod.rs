@@ -63,7 +63,7 @@ type Table = [[i32; SIZES]; ROWS.len()];
 
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 56] = [
+pub const ROWS: [(&str, [bool; SIZES]); 57] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -73,6 +73,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 56] = [
     ("translations, a vector", NODES),
     ("translations, an iteration", NODES),
     ("colliders, a vector", NODES),
+    ("colliders, an iteration", NODES),
     ("a collider", NODES),
     ("a pin", ONCE),
     ("pins or colliders that move", ALL),
@@ -129,7 +130,7 @@ const ALL: [bool; SIZES] = [true, true, true, true, true, false];
 const FACTOR: [bool; SIZES] = [true; SIZES];
 
 /// The row where those of the preconditioners begin, and how many each has.
-const OWN: (usize, usize) = (29, 3);
+const OWN: (usize, usize) = (30, 3);
 
 /// How often a step pays each of [`ROWS`].
 #[must_use]
@@ -153,6 +154,7 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         free * w,
         free * k,
         touching * w,
+        touching * k,
         load.colliders as u64,
         load.pins as u64,
         u64::from(load.moving) * (1 - guessed),

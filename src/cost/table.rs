@@ -12,6 +12,7 @@ pub(super) const CORTEX_M4F: Table = [
     [939, 939, 2, 0, 0, 0],                 // translations, a vector
     [526, 402, 1, 0, 0, 0],                 // translations, an iteration
     [1502, 939, 61, 0, 0, 0],               // colliders, a vector
+    [1502, 939, 61, 0, 0, 0],               // colliders, an iteration
     [499, 9898, -1, 0, 0, 0],               // a collider
     [972, 0, 0, 0, 0, 0],                   // a pin
     [2879, 1236, 77, 25516, 12066, 0],      // pins or colliders that move
@@ -71,6 +72,7 @@ pub(super) const X86_64: Table = [
     [1593, 581, 24, 0, 0, 0],                // translations, a vector
     [917, 232, 13, 0, 0, 0],                 // translations, an iteration
     [2089, 267, 322, 0, 0, 0],               // colliders, a vector
+    [2089, 267, 322, 0, 0, 0],               // colliders, an iteration
     [690, 10296, 2, 0, 0, 0],                // a collider
     [772, 0, 0, 0, 0, 0],                    // a pin
     [5168, 675, 321, 10638, 11048, 0],       // pins or colliders that move
@@ -130,6 +132,7 @@ pub(super) const AARCH64: Table = [
     [2424, 451, 208, 0, 0, 0],              // translations, a vector
     [1249, 181, 107, 0, 0, 0],              // translations, an iteration
     [1620, 212, 356, 0, 0, 0],              // colliders, a vector
+    [1620, 212, 356, 0, 0, 0],              // colliders, an iteration
     [575, 7896, 2, 0, 0, 0],                // a collider
     [886, 0, 0, 0, 0, 0],                   // a pin
     [5333, 330, 636, 8500, 9469, 0],        // pins or colliders that move
