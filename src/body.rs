@@ -32,6 +32,20 @@ macro_rules! body_methods {
             step::<Native, L>(&rest, &mut state, &mut workspace, scene, settings)
         }
 
+        /// Advances it with couplings between its pieces; see [`step_coupled`](crate::step::step_coupled).
+        #[cfg(feature = "contact")]
+        pub fn step_coupled(
+            &mut self,
+            scene: &Scene<'_>,
+            settings: &Settings,
+            couplings: &mut crate::coupling::Couplings<'_>,
+        ) -> StepReport {
+            let (rest, mut state, mut work) = self.parts();
+            crate::step::step_coupled::<Native, L>(
+                &rest, &mut state, &mut work, scene, settings, couplings,
+            )
+        }
+
         /// Places the body; see [`StateMut::place`].
         ///
         /// # Errors

@@ -12,7 +12,7 @@
 //! into noise.
 
 use crate::math::{ratio_or_zero, select};
-use crate::space::{NOTHING, Space};
+use crate::space::{NOTHING, Space, Translate};
 use crate::vector::{advance, dot, scale_and_add};
 
 /// What the solver knows of the system.
@@ -35,7 +35,7 @@ const ROUNDING: f32 = 1.0 / (1_u64 << 44) as f32;
 /// scratch. `rhs_size` is [`System::size`] of b. Returns after how many iterations the update froze.
 pub(crate) fn solve(
     system: &impl System,
-    space: &Space<'_>,
+    space: &Space<'_, impl Translate>,
     iterations: u32,
     rhs_size: f32,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],

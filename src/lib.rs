@@ -88,6 +88,12 @@
 //! lives, and how rest data and workspace are shared by several bodies: [`body`]. Bodies that are baked on a
 //! host, with a factor of their matrix, and read in place from flash: [`asset`].
 //!
+//! # Several bodies
+//!
+//! Bodies that touch, are joined, or are rigid are one mesh of several pieces with a list of *couplings* between them (feature
+//! `contact`, modules `coupling`, `rigid`, `detect`, and `join` to make the mesh): contact both ways in one implicit
+//! solve, so that the energy bound and the exact momentum hold for all of them together.
+//!
 //! # Limits
 //!
 //! Linear tetrahedra lock as Poisson's ratio nears 0.5. The step is one of f32: bodies far from the
@@ -111,6 +117,15 @@ pub mod choosing {}
 pub mod collider;
 pub mod constraint;
 pub mod cost;
+#[cfg(feature = "contact")]
+pub mod coupling;
+#[cfg(not(feature = "contact"))]
+mod coupling {
+    #[path = "hook.rs"]
+    pub(crate) mod hook;
+}
+#[cfg(feature = "contact")]
+pub mod detect;
 pub mod elasticity;
 pub mod element;
 pub mod energy;
@@ -119,6 +134,8 @@ mod fan;
 pub mod fracture;
 pub mod frame;
 mod inelastic;
+#[cfg(feature = "alloc")]
+pub mod join;
 pub mod lane;
 pub mod load;
 pub mod material;
@@ -135,6 +152,8 @@ pub mod polar;
 pub mod preconditioner;
 pub mod report;
 pub mod rest;
+#[cfg(feature = "contact")]
+pub mod rigid;
 pub mod scene;
 pub mod settings;
 mod space;
@@ -149,6 +168,8 @@ pub use asset::{Asset, AssetError};
 pub use body::Body;
 pub use collider::Collider;
 pub use constraint::Pin;
+#[cfg(feature = "contact")]
+pub use coupling::{Coupling, Couplings};
 #[cfg(feature = "fracture")]
 pub use fracture::Fracture;
 pub use frame::Frame;

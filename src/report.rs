@@ -40,6 +40,44 @@ pub enum Refusal {
     /// The settings ask for fracture, and the state has no room for what has broken.
     #[cfg(feature = "fracture")]
     Fracture,
+    /// The couplings do not fit the body or the settings.
+    #[cfg(feature = "contact")]
+    Coupling(CouplingFault),
+}
+
+/// Why couplings are refused.
+#[cfg(feature = "contact")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CouplingFault {
+    /// They need θ = 1.
+    Theta,
+    /// More links than slots.
+    Slots,
+    /// The rigid bodies' nodes are not the last of the body, four each, in their order; or there are more than
+    /// [`MAX_RIGIDS`](crate::detect::MAX_RIGIDS).
+    Rigid,
+    /// Pieces do not follow each other up to the first rigid body, there are more than
+    /// [`MAX_PIECES`](crate::detect::MAX_PIECES), or one names a node that is not there or rigid.
+    Piece,
+    /// A link names a node that the body does not have.
+    Link,
+    /// A pin holds a node of a rigid body.
+    Pinned,
+}
+
+#[cfg(feature = "contact")]
+impl core::fmt::Display for CouplingFault {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Theta => "couplings need theta = 1",
+            Self::Slots => "there are more links than slots for couplings",
+            Self::Rigid => "the nodes of the rigid bodies are not the last of the mesh, in order",
+            Self::Piece => "the pieces are not the soft nodes of the mesh, in order, or too many",
+            Self::Link => "a link names a node that does not exist",
+            Self::Pinned => "a pin holds a node of a rigid body",
+        })
+    }
 }
 
 impl core::fmt::Display for Refusal {
@@ -62,6 +100,8 @@ impl core::fmt::Display for Refusal {
             Self::Plasticity => f.write_str("the state has no room for plastic strain"),
             #[cfg(feature = "fracture")]
             Self::Fracture => f.write_str("the state has no room for what has broken"),
+            #[cfg(feature = "contact")]
+            Self::Coupling(fault) => fault.fmt(f),
             Self::Vectors => f.write_str("the start needs more vectors than the workspace holds"),
         }
     }
@@ -89,6 +129,12 @@ pub struct StepReport {
     /// What broke, and what may still.
     #[cfg(feature = "fracture")]
     pub fracture: FractureReport,
+    /// Contacts between pieces and rigid bodies that acted ([`coupling`](crate::coupling)).
+    #[cfg(feature = "contact")]
+    pub couplings: u32,
+    /// Contacts that were left out for want of slots; the deepest were kept.
+    #[cfg(feature = "contact")]
+    pub dropped: u32,
 }
 
 impl StepReport {
@@ -104,6 +150,10 @@ impl StepReport {
         dissipated: 0.0,
         #[cfg(feature = "fracture")]
         fracture: FractureReport::NOTHING,
+        #[cfg(feature = "contact")]
+        couplings: 0,
+        #[cfg(feature = "contact")]
+        dropped: 0,
     };
 
     pub(crate) fn refused(refusal: Refusal) -> Self {

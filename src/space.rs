@@ -11,6 +11,23 @@ use crate::settings::Start;
 use crate::step::Units;
 use crate::vector::{add_scaled, advance, dot, momentum, sym_mul};
 
+/// Translations in W, of what nothing holds.
+pub(crate) trait Translate {
+    /// Takes the mean motion out of `z`.
+    fn remove(&self, z: &mut [[f32; 3]]);
+    /// Galerkin over the translations: v += t (t·r)/(t·At), r −= At (t·r)/(t·At).
+    fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]);
+    /// Gives `v` the momentum that the external forces leave what had the velocities `before`, to rounding.
+    fn restore<L: Layout>(
+        &self,
+        rest: &Rest<'_, L>,
+        before: &[[f32; 3]],
+        scene: &Scene<'_>,
+        units: &Units,
+        v: &mut [[f32; 3]],
+    );
+}
+
 /// The three translations of a free body: A t = c_M M t exactly, so they need no storage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Translations<'a> {
@@ -26,8 +43,9 @@ impl Translations<'_> {
     fn mean(&self, u: &[[f32; 3]]) -> [f32; 3] {
         weighted_sum(self.masses, u).map(|sum| sum * self.per_mass)
     }
+}
 
-    /// Takes the mean motion out of `z`.
+impl Translate for Translations<'_> {
     #[inline(never)]
     fn remove(&self, z: &mut [[f32; 3]]) {
         let mean = self.mean(z);
@@ -38,7 +56,6 @@ impl Translations<'_> {
         }
     }
 
-    /// Galerkin over the translations: v += t (t·r)/(t·At), r −= At (t·r)/(t·At).
     fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
         let mut sum = [0.0_f32; 3];
         for r in r.iter() {
@@ -55,6 +72,17 @@ impl Translations<'_> {
             }
         }
     }
+
+    fn restore<L: Layout>(
+        &self,
+        rest: &Rest<'_, L>,
+        before: &[[f32; 3]],
+        scene: &Scene<'_>,
+        units: &Units,
+        v: &mut [[f32; 3]],
+    ) {
+        keep_momentum(rest, before, scene, units, self.per_mass > 0.0, v);
+    }
 }
 
 fn weighted_sum(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
@@ -69,13 +97,13 @@ fn weighted_sum(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
 
 /// The space W: some stored vectors with their products, and the translations.
 #[derive(Debug)]
-pub(crate) struct Space<'a> {
+pub(crate) struct Space<'a, T> {
     /// A-orthonormal vectors w_j, one after the other, `nodes` entries each.
     pub vectors: &'a mut [[f32; 3]],
     /// A w_j
     pub products: &'a mut [[f32; 3]],
     pub nodes: usize,
-    pub translations: Option<Translations<'a>>,
+    pub translations: Option<T>,
 }
 
 /// A vector that orthogonalisation shortens below this (squared) is parallel to the others.
@@ -83,7 +111,7 @@ const PARALLEL: f32 = 1e-12;
 /// Squares below this (in the body's units) are nothing; far above f32's subnormals.
 pub(crate) const NOTHING: f32 = 1e-30;
 
-impl Space<'_> {
+impl<T: Translate> Space<'_, T> {
     /// Makes the stored vectors A-orthonormal, in order. A vector that is zero, not finite, or
     /// parallel to the ones before is replaced by zero, at the same cost.
     pub fn orthonormalise(&mut self, system: &impl System) {
@@ -249,16 +277,16 @@ fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>)
 /// Gives a free body the linear momentum that its external forces leave it, to rounding:
 /// (1 + θhα) Σ m v⁺ = (1 − (1−θ)hα) Σ m v + h Σ f_external. W has the translations, so the solve gave it
 /// already, but for the rounding of elastic forces that cancel.
-pub(crate) fn keep_momentum<L: Layout>(
+fn keep_momentum<L: Layout>(
     rest: &Rest<'_, L>,
-    state: &StateMut<'_>,
+    before: &[[f32; 3]],
     scene: &Scene<'_>,
     units: &Units,
     free: bool,
     v: &mut [[f32; 3]],
 ) {
     let (h, alpha, total) = (units.dt, rest.header.alpha, rest.header.total_mass);
-    let before = momentum(rest.masses, state.v);
+    let before = momentum(rest.masses, before);
     let now = momentum(rest.masses, v);
     let mut force = [0.0_f32; 3];
     for f in scene.forces {

@@ -24,6 +24,7 @@
 use crate::body::{StateMut, WorkspaceMut};
 use crate::cg::{self, System};
 use crate::constraint::{ContactStep, Decisions, land, pin, touch};
+use crate::coupling::hook::{Couple, CoupleStep, FreeStep};
 use crate::element::{Layout, Sym3};
 use crate::fan;
 use crate::inelastic;
@@ -35,7 +36,7 @@ pub use crate::report::{Refusal, StepReport};
 use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
-use crate::space::{Space, Translations, fill_space, keep_momentum};
+use crate::space::{Space, Translate, fill_space};
 use crate::vector::{add_scaled, copy, dot, sym_mul};
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
@@ -81,17 +82,20 @@ impl Units {
 }
 
 /// The system as the solver sees it.
-struct Filtered<'a, L: Layout, R> {
+struct Filtered<'a, L: Layout, R, C> {
     operator: &'a Operator<'a, L>,
+    couplings: &'a C,
     preconditioner: Prepared<'a>,
     /// Whether nodes may touch something.
     touches: bool,
     lanes: core::marker::PhantomData<R>,
 }
 
-impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
+impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
         self.operator.apply::<R>(u, out);
+        self.couplings.apply(u, out);
+        self.couplings.project(out);
     }
     /// Impulses of contacts are of b's size, and a P whose normal is not along an axis lets a rounding of them
     /// through. Pins have an exact P.
@@ -105,6 +109,7 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
     #[inline(always)]
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         self.preconditioner.apply(r, z);
+        self.couplings.project(z);
     }
     fn size(&self, r: &[[f32; 3]], rz: f32) -> f32 {
         if self.preconditioner.is_cheap() {
@@ -115,7 +120,7 @@ impl<L: Layout, R: Lanes> System for Filtered<'_, L, R> {
     }
 }
 
-impl<L: Layout, R: Lanes> Filtered<'_, L, R> {
+impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
     /// [`System::size`] of any residual; `z` is scratch.
     #[inline(always)]
     fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
@@ -140,23 +145,50 @@ pub fn step<R: Lanes, L: Layout>(
     scene: &Scene<'_>,
     settings: &Settings,
 ) -> StepReport {
-    if let Err(refusal) = check(rest, state, work, scene, settings) {
-        return StepReport::refused(refusal);
-    }
-    let fans = core::mem::take(&mut work.fans);
-    fan::find(rest.blocks, fans);
-    let rest = Rest { fans, ..*rest };
-    let report = checked_step::<R, L>(&rest, state, work, scene, settings);
-    work.fans = fans;
-    report
+    step_with::<R, L, ()>(rest, state, work, scene, settings, &mut ())
 }
 
-fn checked_step<R: Lanes, L: Layout>(
+/// [`step`] with couplings between pieces of the body ([`coupling`](crate::coupling)).
+#[cfg(feature = "contact")]
+pub fn step_coupled<R: Lanes, L: Layout>(
     rest: &Rest<'_, L>,
     state: &mut StateMut<'_>,
     work: &mut WorkspaceMut<'_, L>,
     scene: &Scene<'_>,
     settings: &Settings,
+    couplings: &mut crate::coupling::Couplings<'_>,
+) -> StepReport {
+    step_with::<R, L, _>(rest, state, work, scene, settings, couplings)
+}
+
+fn step_with<R: Lanes, L: Layout, C: Couple>(
+    rest: &Rest<'_, L>,
+    state: &mut StateMut<'_>,
+    work: &mut WorkspaceMut<'_, L>,
+    scene: &Scene<'_>,
+    settings: &Settings,
+    couplings: &mut C,
+) -> StepReport {
+    let fits = check(rest, state, work, scene, settings)
+        .and_then(|()| couplings.check(rest.nodes.len(), scene, settings));
+    if let Err(refusal) = fits {
+        return StepReport::refused(refusal);
+    }
+    let fans = core::mem::take(&mut work.fans);
+    fan::find(rest.blocks, fans);
+    let rest = Rest { fans, ..*rest };
+    let report = checked_step::<R, L, C>(&rest, state, work, scene, settings, couplings);
+    work.fans = fans;
+    report
+}
+
+fn checked_step<R: Lanes, L: Layout, C: Couple>(
+    rest: &Rest<'_, L>,
+    state: &mut StateMut<'_>,
+    work: &mut WorkspaceMut<'_, L>,
+    scene: &Scene<'_>,
+    settings: &Settings,
+    couplings: &mut C,
 ) -> StepReport {
     let units = Units::new(rest, settings);
     let nodes = rest.nodes.len();
@@ -175,7 +207,7 @@ fn checked_step<R: Lanes, L: Layout>(
         inertia: &*work.inertia,
         stiffness,
     };
-    if settings.preconditioner.needs_blocks() || !scene.colliders.is_empty() {
+    if settings.preconditioner.needs_blocks() || !scene.colliders.is_empty() || C::SOME {
         operator.diagonal::<R>(work.blocks);
     } else if settings.preconditioner.needs_diagonal() {
         operator.diagonal_entries::<R>(work.q);
@@ -186,8 +218,12 @@ fn checked_step<R: Lanes, L: Layout>(
 
     // Who is held, who touches, who slides; targets c in m/s.
     pin(scene.pins, work.filter, work.v);
+    couplings.locate(state.x);
+    couplings.project(work.r);
+    let soft = couplings.soft(nodes);
     let contact = ContactStep {
-        masses: rest.masses,
+        // Rigid bodies are not touched by their nodes.
+        masses: rest.masses.get(..soft).unwrap_or_default(),
         x: state.x,
         v: state.v,
         gravity: scene.gravity,
@@ -205,6 +241,25 @@ fn checked_step<R: Lanes, L: Layout>(
         gaps: &mut *work.p,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
+    for gap in work.p.iter_mut().skip(soft) {
+        *gap = [0.0; 3];
+    }
+    couplings.decide(&CoupleStep {
+        scene,
+        masses: rest.masses,
+        x: state.x,
+        v: state.v,
+        dt: units.dt,
+        length_unit: rest.header.length_unit,
+        mass_unit: units.mass,
+        velocity_unit: units.velocity,
+        rhs: work.r,
+        blocks: work.blocks,
+        filter: work.filter,
+        targets: work.v,
+    });
+    couplings.add_to(work.blocks, work.r);
+    couplings.project(work.r);
     // From here on in units of the velocity unit, also the gaps that wait in p.
     for c in [&mut *work.v, &mut *work.p] {
         c.as_flattened_mut()
@@ -217,8 +272,9 @@ fn checked_step<R: Lanes, L: Layout>(
         inertia: &*work.inertia,
         stiffness,
     };
-    let system = Filtered::<L, R> {
+    let system = Filtered::<L, R, C> {
         operator: &operator,
+        couplings,
         preconditioner: settings.preconditioner.prepare::<R, L>(
             &operator,
             state.x,
@@ -266,13 +322,13 @@ fn checked_step<R: Lanes, L: Layout>(
     }
 
     // W, and the Galerkin solution over it.
-    let may_be_free = settings.start.is_augmented() && scene.pins.is_empty();
-    let free = may_be_free & (contacts == 0);
-    let per_mass = select(free, 1.0 / rest.header.total_mass, 0.0);
-    let translations = may_be_free.then_some(Translations {
+    let translations = couplings.translations(&FreeStep {
+        augmented: settings.start.is_augmented(),
+        pinned: !scene.pins.is_empty(),
+        touched: contacts > 0,
         masses: rest.masses,
+        total_mass: rest.header.total_mass,
         mass_factor: mass,
-        per_mass,
     });
     let stored = settings.start.vectors() * nodes;
     fill_space(
@@ -284,6 +340,11 @@ fn checked_step<R: Lanes, L: Layout>(
         work.filter,
         work.vectors,
     );
+    if C::SOME {
+        for w in work.vectors.chunks_exact_mut(nodes.max(1)) {
+            couplings.project(w);
+        }
+    }
     let mut space = Space {
         vectors: work.vectors.get_mut(..stored).unwrap_or_default(),
         products: work.products.get_mut(..stored).unwrap_or_default(),
@@ -318,10 +379,10 @@ fn checked_step<R: Lanes, L: Layout>(
     let residual_after = filtered_norm(work.filter, work.r);
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.
-    if may_be_free {
-        keep_momentum(rest, state, scene, &units, free, work.v);
+    if let Some(translations) = space.translations {
+        translations.restore(rest, state.v, scene, &units, work.v);
     }
-    if let Some(node) = advance(rest, state, scene, &units, work) {
+    if let Some(node) = advance(rest, state, scene, &units, work, couplings) {
         return StepReport::refused(Refusal::NonFinite { node });
     }
     let [rhs, residual_before, residual_after] =
@@ -342,6 +403,10 @@ fn checked_step<R: Lanes, L: Layout>(
         residual_after,
         updates,
         contacts,
+        #[cfg(feature = "contact")]
+        couplings: couplings.counts().active,
+        #[cfg(feature = "contact")]
+        dropped: couplings.counts().dropped,
         ..StepReport::NOTHING
     };
     inelastic::update::<R, L>(rest, state, settings, report)
@@ -488,17 +553,22 @@ fn advance<L: Layout>(
     scene: &Scene<'_>,
     units: &Units,
     work: &mut WorkspaceMut<'_, L>,
+    couplings: &mut impl Couple,
 ) -> Option<u32> {
     let (h, theta) = (units.dt, units.theta);
     let old = state.x.iter().zip(&*state.v).zip(&*work.filter);
     let new = work.p.iter_mut().zip(&mut *work.v);
-    for (((x, v), p), (x_new, v_new)) in old.zip(new) {
+    let soft = couplings.soft(rest.nodes.len());
+    for (node, (((x, v), p), (x_new, v_new))) in old.zip(new).enumerate() {
         *v_new = v_new.map(|v| v * units.velocity);
         // The constrained part of v(t) is that of v⁺.
         let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
         *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
-        land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
+        if node < soft {
+            land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
+        }
     }
+    couplings.place(h, units.impulse, units.velocity, work.p, work.v);
     // Pins go where they are told, whatever is in the way.
     for pin in scene.pins {
         let node = pin.node as usize;

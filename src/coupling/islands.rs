@@ -1,0 +1,235 @@
+//! Which pieces are free: each island of pieces that couplings join, and that nothing holds, has its translations in W.
+//!
+//! For such an island A' t = c_M M t exactly: K t = 0, and the weights of couplings within it sum to zero. So a piece that
+//! flies by itself falls exactly at every budget, whatever the others do, and its momentum is its own.
+
+use super::{Coupling, Piece};
+use crate::constraint::FREE;
+use crate::detect::{MAX_PIECES, MAX_RIGIDS};
+use crate::element::{Layout, Sym3};
+use crate::math::{Mask, ratio_or_zero};
+use crate::rest::Rest;
+use crate::scene::Scene;
+use crate::space::Translate;
+use crate::step::Units;
+use crate::vector::momentum;
+
+const MAX_PARTS: usize = MAX_PIECES + MAX_RIGIDS;
+
+/// A piece or rigid body.
+#[derive(Clone, Copy, Debug)]
+struct Part {
+    /// One past its last node.
+    end: usize,
+    island: usize,
+    held: bool,
+    /// 1 over the mass of its island where that is free, else 0, 1/kg
+    per_mass: f32,
+}
+
+/// The parts of a mesh, in the order of their nodes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Islands {
+    parts: heapless::Vec<Part, MAX_PARTS>,
+}
+
+impl Islands {
+    /// Every part by itself.
+    pub fn new(pieces: &[Piece<'_>], rigids: usize, soft: usize) -> Self {
+        let ends = pieces.iter().map(|p| p.nodes_end());
+        let ends = ends.chain((1..=rigids).map(|k| soft + 4 * k));
+        // No more than `check` lets pass.
+        let parts = ends.take(MAX_PARTS).enumerate().map(|(island, end)| Part {
+            end,
+            island,
+            held: false,
+            per_mass: 0.0,
+        });
+        Self {
+            parts: parts.collect(),
+        }
+    }
+
+    #[inline(never)]
+    fn of(&self, node: u32) -> Option<usize> {
+        self.parts.iter().position(|p| (node as usize) < p.end)
+    }
+
+    /// Joins what a coupling that acts joins, and holds what it holds.
+    #[inline(never)]
+    pub fn join(&mut self, slot: &Coupling) {
+        let mut nodes = slot.weights();
+        let mut first = None;
+        let mut second = None;
+        for (k, (node, w)) in nodes.by_ref().enumerate() {
+            let side = if k < 4 { &mut first } else { &mut second };
+            if w != 0.0 {
+                *side = Some(node);
+            }
+        }
+        let island = |of: &Self, node: Option<u32>| {
+            let part = of.of(node?)?;
+            Some(of.parts.get(part)?.island)
+        };
+        let (a, b) = (island(self, first), island(self, second));
+        for part in self.parts.iter_mut() {
+            let joined = Some(part.island) == a || Some(part.island) == b;
+            part.held |= joined && (a.is_none() || b.is_none());
+            if joined {
+                part.island = a.unwrap_or(part.island);
+            }
+        }
+    }
+
+    /// Holds the parts whose nodes touch or are pinned, and weighs the islands.
+    #[inline(never)]
+    pub fn weigh(&mut self, masses: &[f32], filter: &[Sym3<f32>]) {
+        let mut sums = [(0.0_f32, false); MAX_PARTS];
+        let mut start = 0;
+        for part in &self.parts {
+            let range = start..part.end;
+            start = part.end;
+            let Some((mass, held)) = sums.get_mut(part.island) else {
+                continue;
+            };
+            for m in masses.get(range.clone()).unwrap_or_default() {
+                *mass += m;
+            }
+            let nodes = filter.get(range).unwrap_or_default();
+            *held |= part.held | nodes.iter().fold(false, |held, p| held | (*p != FREE));
+        }
+        for part in self.parts.iter_mut() {
+            let (mass, held) = sums.get(part.island).copied().unwrap_or_default();
+            part.per_mass = Mask::of(!held).keep(ratio_or_zero(1.0, mass, 0.0));
+        }
+    }
+
+    /// Σ over each island of what `sum` makes of a part's nodes, times `per_mass`: one value a part.
+    fn means(&self, sum: impl Fn(core::ops::Range<usize>) -> [f32; 3]) -> [[f32; 3]; MAX_PARTS] {
+        let mut sums = [[0.0_f32; 3]; MAX_PARTS];
+        let mut start = 0;
+        for part in &self.parts {
+            if let Some(out) = sums.get_mut(part.island) {
+                for (out, part) in out.iter_mut().zip(sum(start..part.end)) {
+                    *out += part;
+                }
+            }
+            start = part.end;
+        }
+        let mut out = [[0.0_f32; 3]; MAX_PARTS];
+        for (out, part) in out.iter_mut().zip(&self.parts) {
+            let sum = sums.get(part.island).copied().unwrap_or_default();
+            *out = sum.map(|s| s * part.per_mass);
+        }
+        out
+    }
+
+    /// Calls `f` with the nodes of each part and its mean.
+    fn spread(
+        &self,
+        means: &[[f32; 3]; MAX_PARTS],
+        mut f: impl FnMut(core::ops::Range<usize>, [f32; 3]),
+    ) {
+        let mut start = 0;
+        for (part, mean) in self.parts.iter().zip(means) {
+            f(start..part.end, *mean);
+            start = part.end;
+        }
+    }
+}
+
+/// The translations of all free islands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct IslandTranslations<'a> {
+    pub islands: &'a Islands,
+    pub masses: &'a [f32],
+    pub mass_factor: f32,
+}
+
+impl Translate for IslandTranslations<'_> {
+    fn remove(&self, z: &mut [[f32; 3]]) {
+        let means = self.islands.means(|nodes| {
+            let masses = self.masses.get(nodes.clone()).unwrap_or_default();
+            weighted(masses, z.get(nodes).unwrap_or_default())
+        });
+        self.islands.spread(&means, |nodes, mean| {
+            for z in z.get_mut(nodes).unwrap_or_default() {
+                for axis in 0..3 {
+                    z[axis] -= mean[axis];
+                }
+            }
+        });
+    }
+
+    fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
+        let means = self.islands.means(|nodes| {
+            let mut sum = [0.0_f32; 3];
+            for r in r.get(nodes).unwrap_or_default() {
+                for axis in 0..3 {
+                    sum[axis] += r[axis];
+                }
+            }
+            sum
+        });
+        self.islands.spread(&means, |nodes, mean| {
+            let speed = mean.map(|s| s / self.mass_factor);
+            let vectors = v.get_mut(nodes.clone()).unwrap_or_default().iter_mut();
+            let residual = r.get_mut(nodes.clone()).unwrap_or_default();
+            let masses = self.masses.get(nodes).unwrap_or_default();
+            for ((v, r), m) in vectors.zip(residual).zip(masses) {
+                let m = self.mass_factor * m;
+                for axis in 0..3 {
+                    v[axis] += speed[axis];
+                    r[axis] -= m * speed[axis];
+                }
+            }
+        });
+    }
+
+    fn restore<L: Layout>(
+        &self,
+        rest: &Rest<'_, L>,
+        before: &[[f32; 3]],
+        scene: &Scene<'_>,
+        units: &Units,
+        v: &mut [[f32; 3]],
+    ) {
+        let (h, alpha) = (units.dt, rest.header.alpha);
+        let gravity = scene.gravity.to_array();
+        let missing = self.islands.means(|nodes| {
+            let masses = rest.masses.get(nodes.clone()).unwrap_or_default();
+            let past = momentum(masses, before.get(nodes.clone()).unwrap_or_default());
+            let now = momentum(masses, v.get(nodes.clone()).unwrap_or_default());
+            let mass = masses.iter().fold(0.0, |sum, m| sum + m);
+            let mut force = [0.0_f32; 3];
+            for f in scene.forces.get(nodes).unwrap_or_default() {
+                for axis in 0..3 {
+                    force[axis] += f[axis];
+                }
+            }
+            // θ = 1: couplings take no other.
+            core::array::from_fn(|axis| {
+                let gained = h * (mass * gravity[axis] + force[axis]);
+                let target = (past[axis] + gained) / (1.0 + h * alpha);
+                target / units.velocity - now[axis]
+            })
+        });
+        self.islands.spread(&missing, |nodes, missing| {
+            for v in v.get_mut(nodes).unwrap_or_default() {
+                for axis in 0..3 {
+                    v[axis] += missing[axis];
+                }
+            }
+        });
+    }
+}
+
+fn weighted(masses: &[f32], u: &[[f32; 3]]) -> [f32; 3] {
+    let mut sum = [0.0_f32; 3];
+    for (m, u) in masses.iter().zip(u) {
+        for axis in 0..3 {
+            sum[axis] += m * u[axis];
+        }
+    }
+    sum
+}

@@ -1,0 +1,241 @@
+//! The list of couplings of a scene, over memory of the caller's.
+
+use super::contact::{self, keep_finite};
+use super::hook::{Counts, FreeStep};
+use super::islands::{IslandTranslations, Islands};
+use super::{Couple, CoupleStep, Coupling, Link, add_diagonal, apply};
+use crate::detect::{self, Slots};
+use crate::element::Sym3;
+use crate::report::{CouplingFault, Refusal};
+use crate::rigid::Rigid;
+use crate::scene::Scene;
+use crate::settings::Settings;
+use crate::vector::sym_mul;
+
+/// A soft piece of the mesh, with its surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<'a> {
+    /// Its nodes: pieces follow each other, from node 0 to the first rigid body.
+    pub range: (u32, u32),
+    /// Its boundary triangles, counter-clockwise from outside
+    /// (`surface::boundary_triangles`).
+    pub triangles: &'a [[u32; 3]],
+    /// The nodes on them, each once.
+    pub nodes: &'a [u32],
+    /// Coulomb's coefficient of friction; a pair has the geometric mean of its two.
+    pub friction: f32,
+}
+
+impl Piece<'_> {
+    pub(super) fn nodes_end(&self) -> usize {
+        self.range.1 as usize
+    }
+}
+
+/// What touches, joins and is rigid in a mesh of several pieces.
+///
+/// Links take the first slots, contacts the others; slots that are left over are empty, and cost the same.
+#[derive(Debug)]
+pub struct Couplings<'a> {
+    /// Soft pieces that may touch each other and rigid bodies.
+    pub pieces: &'a [Piece<'a>],
+    /// Rigid bodies. Their nodes are the last of the mesh, in this order.
+    pub rigids: &'a mut [Rigid],
+    /// Attachments and springs.
+    pub links: &'a [Link],
+    /// Room for links and contacts: the capacity.
+    pub slots: &'a mut [Coupling],
+    counts: Counts,
+    islands: Islands,
+}
+
+impl<'a> Couplings<'a> {
+    /// Over these parts.
+    #[must_use]
+    pub fn new(
+        pieces: &'a [Piece<'a>],
+        rigids: &'a mut [Rigid],
+        links: &'a [Link],
+        slots: &'a mut [Coupling],
+    ) -> Self {
+        Self {
+            pieces,
+            rigids,
+            links,
+            slots,
+            counts: Counts::default(),
+            islands: Islands::default(),
+        }
+    }
+
+    /// Contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Coupling] {
+        self.slots.get(self.links.len()..).unwrap_or_default()
+    }
+
+    fn faults(
+        &self,
+        nodes: usize,
+        scene: &Scene<'_>,
+        settings: &Settings<'_>,
+    ) -> Option<CouplingFault> {
+        let soft = self.soft(nodes);
+        let named = |node: u32| (node as usize) < nodes;
+        let is_soft = |node: u32| (node as usize) < soft;
+        if settings.theta() < 1.0 {
+            return Some(CouplingFault::Theta);
+        }
+        if self.links.len() > self.slots.len() {
+            return Some(CouplingFault::Slots);
+        }
+        let mut next = 0;
+        for piece in self.pieces {
+            let (first, end) = piece.range;
+            if first != next || end <= first || end as usize > soft {
+                return Some(CouplingFault::Piece);
+            }
+            next = end;
+        }
+        if next as usize != soft {
+            return Some(CouplingFault::Piece);
+        }
+        let mut next = soft;
+        for rigid in &*self.rigids {
+            if rigid.first as usize != next {
+                return Some(CouplingFault::Rigid);
+            }
+            next += 4;
+        }
+        if next != nodes || self.rigids.len() > detect::MAX_RIGIDS {
+            return Some(CouplingFault::Rigid);
+        }
+        let surface = self.pieces.iter().all(|piece| {
+            let corners = piece.triangles.as_flattened();
+            corners.iter().chain(piece.nodes).all(|&node| is_soft(node))
+        });
+        if !surface || self.pieces.len() > detect::MAX_PIECES {
+            return Some(CouplingFault::Piece);
+        }
+        if !self.links.iter().all(|link| link.names().all(named)) {
+            return Some(CouplingFault::Link);
+        }
+        let pinned = scene.pins.iter().any(|pin| !is_soft(pin.node));
+        pinned.then_some(CouplingFault::Pinned)
+    }
+}
+
+impl Couple for Couplings<'_> {
+    const SOME: bool = true;
+
+    #[inline(never)]
+    fn check(
+        &self,
+        nodes: usize,
+        scene: &Scene<'_>,
+        settings: &Settings<'_>,
+    ) -> Result<(), Refusal> {
+        self.faults(nodes, scene, settings)
+            .map_or(Ok(()), |fault| Err(Refusal::Coupling(fault)))
+    }
+
+    fn soft(&self, nodes: usize) -> usize {
+        nodes.saturating_sub(4 * self.rigids.len())
+    }
+
+    fn locate(&mut self, x: &[[f32; 3]]) {
+        for rigid in self.rigids.iter_mut() {
+            rigid.locate(x);
+        }
+    }
+
+    #[inline(never)]
+    fn decide(&mut self, step: &CoupleStep<'_>) {
+        let (links, contacts) = self
+            .slots
+            .split_at_mut_checked(self.links.len())
+            .unwrap_or_default();
+        let soft = step.masses.len().saturating_sub(4 * self.rigids.len());
+        self.islands = Islands::new(self.pieces, self.rigids.len(), soft);
+        for (slot, link) in links.iter_mut().zip(self.links) {
+            *slot = link.decide(step, self.rigids);
+            keep_finite(slot);
+            self.islands.join(slot);
+        }
+        let mut found = Slots::new(contacts);
+        detect::find(self.pieces, self.rigids, step, &mut found);
+        self.counts = Counts {
+            active: 0,
+            dropped: found.dropped(),
+        };
+        for slot in contacts {
+            let active = contact::decide(slot, step, self.rigids);
+            keep_finite(slot);
+            self.counts.active += u32::from(active);
+            if active {
+                self.islands.join(slot);
+            }
+        }
+        self.islands.weigh(step.masses, step.filter);
+    }
+
+    type Free<'b>
+        = IslandTranslations<'b>
+    where
+        Self: 'b;
+
+    fn translations<'b>(&'b self, step: &FreeStep<'b>) -> Option<IslandTranslations<'b>> {
+        step.augmented.then_some(IslandTranslations {
+            islands: &self.islands,
+            masses: step.masses,
+            mass_factor: step.mass_factor,
+        })
+    }
+
+    #[inline(never)]
+    fn add_to(&self, blocks: &mut [Sym3<f32>], rhs: &mut [[f32; 3]]) {
+        add_diagonal(self.slots, blocks);
+        for slot in &*self.slots {
+            slot.spread(&slot.push, rhs);
+        }
+    }
+
+    #[inline(never)]
+    fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
+        apply(self.slots, u, out);
+    }
+
+    #[inline(never)]
+    fn project(&self, u: &mut [[f32; 3]]) {
+        for rigid in &*self.rigids {
+            rigid.project(u);
+        }
+    }
+
+    #[inline(never)]
+    fn place(
+        &mut self,
+        h: f32,
+        impulse_unit: f32,
+        velocity_unit: f32,
+        x: &mut [[f32; 3]],
+        v: &mut [[f32; 3]],
+    ) {
+        let per_unit = 1.0 / velocity_unit;
+        for slot in self.slots.iter_mut() {
+            let speed = slot.relative(v);
+            let drag = sym_mul(&slot.block, &speed.map(|u| u * per_unit));
+            for axis in 0..3 {
+                slot.speed[axis] = speed[axis] - slot.drift[axis];
+                slot.impulse[axis] = (slot.push[axis] - drag[axis]) * impulse_unit;
+            }
+        }
+        for rigid in self.rigids.iter_mut() {
+            rigid.turn(h, x, v);
+        }
+    }
+
+    fn counts(&self) -> Counts {
+        self.counts
+    }
+}

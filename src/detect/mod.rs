@@ -1,0 +1,306 @@
+//! Where pieces of a mesh touch: the search, without allocation.
+//!
+//! *Broad phase*: every pair of pieces, by boxes around their surface nodes now and after h v: P(P−1)/2 comparisons
+//! for P soft pieces and rigid bodies. *Narrow phase*, for pairs whose boxes meet:
+//!
+//! * soft–soft: each surface node in the boxes' intersection against the triangles of the other piece, both ways: the
+//!   nearest point, with the sign of the nearest triangle;
+//! * soft–ball, soft–box: each surface node against the shape, analytically; the ball's centre, or the box's corners,
+//!   against the triangles, for shapes smaller than these;
+//! * ball–ball, ball–box: analytically; box–box: along the face normal that separates them most, the corners of
+//!   each within the other's face;
+//! * ball–collider by its centre; box–collider by its eight corners.
+//!
+//! Found is what would come closer than a 64th of the length unit within the step at v(t). **Left out**: edge
+//! against edge (soft meshes catch it at the next node; two boxes when a corner goes in), contact of a piece with
+//! itself, and faces of boxes against spheres smaller than they.
+//!
+//! # Cost and bounds
+//!
+//! The search is the one part of a step whose cost depends on the state. It is at most, over pairs of pieces with n
+//! surface nodes and t triangles, n₁t₂ + n₂t₁ tests of a node against a triangle, of which all but those within reach
+//! are three comparisons; n for a piece against a rigid body, and t (8t for a box). Contacts: one for each surface
+//! node and piece or shape that it meets, one for a ball and a piece, eight for a box and a piece or collider,
+//! 16 for two boxes. Where there are more than slots, those that would be deepest at the end of the step are
+//! kept and the others are counted in [`StepReport::dropped`](crate::report::StepReport::dropped).
+//!
+//! **Fast bodies.** A node is looked for as far as it may travel in the step, and four length units (about two thirds of a
+//! cell's edge) besides: what approaches is slowed before it is inside, at any speed at which the nearest surface now is
+//! the one that it will hit. (`tests/contact_bodies/limits.rs`: a ball hits a block at up to 40 m/s and 150 steps a second,
+//! 1.3 times its diameter a step.) What is already deeper than that is not seen any more, nor is what passes
+//! through a whole body, or past an edge, within a step.
+
+mod point;
+mod rigid;
+mod surface;
+
+use glam::Vec3;
+
+use crate::coupling::{CoupleStep, Coupling, Piece, SOFT};
+use crate::math::sqrt;
+use crate::rigid::{Rigid, Shape};
+
+/// Most soft pieces.
+pub const MAX_PIECES: usize = 64;
+
+/// Most rigid bodies.
+pub const MAX_RIGIDS: usize = 64;
+
+/// What comes closer than this part of the length unit is a contact to decide on.
+const MARGIN: f32 = 1.0 / 64.0;
+/// How deep a node is seen, in length units.
+const DEPTH: f32 = 4.0;
+
+/// The slots that are being filled.
+#[derive(Debug)]
+pub(crate) struct Slots<'a> {
+    slots: &'a mut [Coupling],
+    used: usize,
+    dropped: u32,
+}
+
+impl<'a> Slots<'a> {
+    pub fn new(slots: &'a mut [Coupling]) -> Self {
+        slots.fill(Coupling::EMPTY);
+        Self {
+            slots,
+            used: 0,
+            dropped: 0,
+        }
+    }
+
+    pub fn dropped(&self) -> u32 {
+        self.dropped
+    }
+
+    /// In a full list takes the place of the shallowest, where that is shallower.
+    #[inline(never)]
+    fn push(&mut self, contact: &Coupling) {
+        if let Some(slot) = self.slots.get_mut(self.used) {
+            *slot = *contact;
+            self.used += 1;
+            return;
+        }
+        self.dropped += 1;
+        let mut shallowest: Option<&mut Coupling> = None;
+        for slot in self.slots.iter_mut() {
+            let best = shallowest
+                .as_ref()
+                .map_or(f32::NEG_INFINITY, |s| s.predicted);
+            if slot.predicted > best {
+                shallowest = Some(slot);
+            }
+        }
+        if let Some(slot) = shallowest
+            && slot.predicted > contact.predicted
+        {
+            *slot = *contact;
+        }
+    }
+}
+
+/// What two points at a contact have in common.
+struct Touch<'s, 'a> {
+    step: &'s CoupleStep<'s>,
+    margin: f32,
+    slots: &'s mut Slots<'a>,
+}
+
+/// One side of a contact.
+#[derive(Clone, Copy)]
+struct Side {
+    nodes: [u32; 4],
+    weights: [f32; 4],
+    rigid: u16,
+    friction: f32,
+}
+
+impl Side {
+    const NONE: Self = Self {
+        nodes: [0; 4],
+        weights: [0.0; 4],
+        rigid: SOFT,
+        friction: 0.0,
+    };
+
+    fn node(node: u32, friction: f32) -> Self {
+        Self {
+            nodes: [node, 0, 0, 0],
+            weights: [1.0, 0.0, 0.0, 0.0],
+            friction,
+            ..Self::NONE
+        }
+    }
+
+    #[inline(never)]
+    fn of_rigid(index: u16, rigid: &Rigid, point: Vec3) -> Self {
+        Self {
+            nodes: [0, 1, 2, 3].map(|k| rigid.first.wrapping_add(k)),
+            weights: rigid.weights(point),
+            rigid: index,
+            friction: rigid.friction,
+        }
+    }
+}
+
+impl Touch<'_, '_> {
+    /// Takes a contact between two sides.
+    fn pair(&mut self, a: Side, b: Side, normal: Vec3, gap: f32) {
+        let friction = sqrt(a.friction * b.friction);
+        self.contact(a, b, normal, gap, friction, Vec3::ZERO);
+    }
+
+    #[inline(never)]
+    fn contact(&mut self, a: Side, b: Side, normal: Vec3, gap: f32, friction: f32, drift: Vec3) {
+        let join = |a: [u32; 4], b: [u32; 4]| [a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]];
+        let [p, q, r, s] = a.weights;
+        let [t, u, v, w] = b.weights;
+        let mut contact = Coupling {
+            nodes: join(a.nodes, b.nodes),
+            weights: [p, q, r, s, -t, -u, -v, -w],
+            rigid: [a.rigid, b.rigid],
+            normal: normal.to_array(),
+            gap,
+            friction,
+            drift: drift.to_array(),
+            ..Coupling::EMPTY
+        };
+        let speed = Vec3::from_array(contact.relative(self.step.v)) - drift;
+        contact.predicted = gap + self.step.dt * normal.dot(speed);
+        if contact.predicted < self.margin {
+            self.slots.push(&contact);
+        }
+    }
+}
+
+/// A box along the axes, and the greatest speed in it.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+    speed: f32,
+}
+
+impl Bounds {
+    const NONE: Self = Self {
+        low: Vec3::INFINITY,
+        high: Vec3::NEG_INFINITY,
+        speed: 0.0,
+    };
+
+    fn add(&mut self, point: Vec3) {
+        self.low = each(self.low, point, |a, b| if b < a { b } else { a });
+        self.high = each(self.high, point, |a, b| if b > a { b } else { a });
+    }
+
+    #[inline(never)]
+    fn of_piece(piece: &Piece<'_>, step: &CoupleStep<'_>) -> Self {
+        let mut out = Self::NONE;
+        let mut square = 0.0;
+        for (x, v) in piece.nodes.iter().filter_map(|&node| moving(step, node)) {
+            out.add(x);
+            out.add(x + v * step.dt);
+            let s = v.dot(v);
+            square = if s > square { s } else { square };
+        }
+        out.speed = sqrt(square);
+        out
+    }
+
+    #[inline(never)]
+    fn of_rigid(rigid: &Rigid, step: &CoupleStep<'_>) -> Self {
+        let mut square = 0.0;
+        for (_, v) in (0..4).filter_map(|k| moving(step, rigid.first.wrapping_add(k))) {
+            let s = v.dot(v);
+            square = if s > square { s } else { square };
+        }
+        // No point of a box is √3 times as far from the centre as its nodes, of a ball √5.
+        let speed = 2.5 * sqrt(square);
+        let size = match rigid.shape {
+            Shape::Ball { radius } => Vec3::splat(radius),
+            Shape::Cuboid { half } => {
+                let [a, b, c] = rigid.frame.axes;
+                a.abs() * half.x + b.abs() * half.y + c.abs() * half.z
+            }
+        };
+        let size = size + Vec3::splat(step.dt * speed);
+        Self {
+            low: rigid.frame.centre - size,
+            high: rigid.frame.centre + size,
+            speed,
+        }
+    }
+
+    /// What both have in common, `margin` wider; nothing where they are apart.
+    fn meet(&self, other: &Self, margin: f32) -> Option<Self> {
+        let low = each(self.low, other.low, |a, b| if a > b { a } else { b });
+        let high = each(self.high, other.high, |a, b| if a < b { a } else { b });
+        let (low, high) = (low - Vec3::splat(margin), high + Vec3::splat(margin));
+        let speed = self.speed + other.speed;
+        let meets = low.x <= high.x && low.y <= high.y && low.z <= high.z;
+        meets.then_some(Self { low, high, speed })
+    }
+
+    fn holds(&self, p: Vec3) -> bool {
+        let (low, high) = (self.low, self.high);
+        (p.x >= low.x)
+            & (p.y >= low.y)
+            & (p.z >= low.z)
+            & (p.x <= high.x)
+            & (p.y <= high.y)
+            & (p.z <= high.z)
+    }
+}
+
+fn each(a: Vec3, b: Vec3, f: impl Fn(f32, f32) -> f32) -> Vec3 {
+    Vec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
+}
+
+/// Place and velocity of a node.
+fn moving(step: &CoupleStep<'_>, node: u32) -> Option<(Vec3, Vec3)> {
+    let node = node as usize;
+    let (x, v) = (step.x.get(node)?, step.v.get(node)?);
+    Some((Vec3::from_array(*x), Vec3::from_array(*v)))
+}
+
+/// Finds all contacts, in the order of the pieces and their nodes.
+#[inline(never)]
+pub(crate) fn find(
+    pieces: &[Piece<'_>],
+    rigids: &[Rigid],
+    step: &CoupleStep<'_>,
+    slots: &mut Slots<'_>,
+) {
+    let margin = MARGIN * step.length_unit;
+    let mut touch = Touch {
+        step,
+        margin,
+        slots,
+    };
+    let mut bounds = heapless::Vec::<Bounds, MAX_PIECES>::new();
+    for piece in pieces {
+        let own = Bounds::of_piece(piece, step);
+        for (other, theirs) in pieces.iter().zip(&bounds) {
+            if let Some(region) = own.meet(theirs, margin) {
+                surface::pair(&mut touch, other, piece, &region);
+                surface::pair(&mut touch, piece, other, &region);
+            }
+        }
+        // As many fit as `check` lets pass.
+        let _ = bounds.push(own);
+    }
+    for (index, rigid) in (1_u16..).zip(rigids) {
+        let own = Bounds::of_rigid(rigid, step);
+        for (piece, theirs) in pieces.iter().zip(&bounds) {
+            if let Some(region) = own.meet(theirs, margin) {
+                rigid::against_piece(&mut touch, index, rigid, piece, &region);
+            }
+        }
+        for (other_index, other) in (1..index).zip(rigids) {
+            if own.meet(&Bounds::of_rigid(other, step), margin).is_some() {
+                rigid::pair(&mut touch, (other_index, other), (index, rigid));
+            }
+        }
+        rigid::against_colliders(&mut touch, index, rigid);
+    }
+}

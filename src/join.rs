@@ -1,0 +1,212 @@
+//! Several meshes in one (feature `alloc`): what touches must be one system (module `coupling`).
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+#[cfg(feature = "contact")]
+use glam::Vec3;
+
+#[cfg(feature = "contact")]
+use crate::coupling::Piece;
+use crate::material::{Material, MaterialError};
+#[cfg(feature = "contact")]
+use crate::rigid::{Rigid, Shape};
+#[cfg(feature = "contact")]
+use crate::surface::boundary_triangles;
+
+/// Bodies, added one after the other, as one mesh: nodes, tetrahedra, and a material for each of these.
+///
+/// Soft bodies come first, rigid ones last, as couplings ask for.
+#[derive(Clone, Debug, Default)]
+pub struct Assembly {
+    /// Nodes of all bodies, metres, placed.
+    pub nodes: Vec<[f32; 3]>,
+    /// Their tetrahedra, by nodes of the assembly.
+    pub tets: Vec<[u32; 4]>,
+    /// One a tetrahedron.
+    pub materials: Vec<Material>,
+    /// One a body.
+    pub parts: Vec<Part>,
+    #[cfg(feature = "contact")]
+    rigids: Vec<Rigid>,
+    #[cfg(feature = "contact")]
+    surfaces: Vec<(Vec<[u32; 3]>, Vec<u32>, f32)>,
+}
+
+/// Where a body is in an [`Assembly`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its nodes.
+    pub nodes: Range<usize>,
+    /// Its tetrahedra.
+    pub tets: Range<usize>,
+}
+
+/// Why a body cannot be added.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum JoinError {
+    /// More nodes in all than u32 counts.
+    TooManyNodes,
+    /// A tetrahedron names a node that its mesh does not have.
+    Node,
+    /// A soft body after a rigid one.
+    Order,
+    /// The mass or a size of a rigid body is not positive, or out of range; or it is not placed by finite numbers.
+    Rigid,
+    /// The coefficient of friction is negative or not finite.
+    Friction,
+    /// The material that gives a rigid body its mass is out of range.
+    Material(MaterialError),
+}
+
+impl core::fmt::Display for JoinError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::TooManyNodes => f.write_str("more nodes in all than can be numbered"),
+            Self::Node => f.write_str("a tetrahedron names a node that does not exist"),
+            Self::Order => f.write_str("soft bodies must come before rigid ones"),
+            Self::Rigid => f.write_str("mass and sizes must be positive and in range"),
+            Self::Friction => {
+                f.write_str("the coefficient of friction must be finite and not negative")
+            }
+            Self::Material(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for JoinError {}
+
+impl Assembly {
+    /// Of no bodies.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    fn append(
+        &mut self,
+        nodes: &[[f32; 3]],
+        tets: &[[u32; 4]],
+        material: impl Fn(usize) -> Material,
+    ) -> Result<Part, JoinError> {
+        let first = self.nodes.len();
+        let base = u32::try_from(first).map_err(|_| JoinError::TooManyNodes)?;
+        if u32::try_from(first + nodes.len()).is_err() {
+            return Err(JoinError::TooManyNodes);
+        }
+        if tets
+            .as_flattened()
+            .iter()
+            .any(|&n| n as usize >= nodes.len())
+        {
+            return Err(JoinError::Node);
+        }
+        let start = self.tets.len();
+        self.nodes.extend_from_slice(nodes);
+        self.tets
+            .extend(tets.iter().map(|tet| tet.map(|n| n + base)));
+        self.materials.extend((0..tets.len()).map(material));
+        let part = Part {
+            nodes: first..self.nodes.len(),
+            tets: start..self.tets.len(),
+        };
+        self.parts.push(part.clone());
+        Ok(part)
+    }
+
+    /// Adds a soft body, placed (metres), of one material, with Coulomb's coefficient of friction for its surface.
+    ///
+    /// # Errors
+    /// [`JoinError`]; nothing is added then.
+    pub fn soft(
+        &mut self,
+        nodes: &[[f32; 3]],
+        tets: &[[u32; 4]],
+        material: Material,
+        friction: f32,
+    ) -> Result<Part, JoinError> {
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(JoinError::Friction);
+        }
+        #[cfg(feature = "contact")]
+        if !self.rigids.is_empty() {
+            return Err(JoinError::Order);
+        }
+        let part = self.append(nodes, tets, |_| material)?;
+        #[cfg(feature = "contact")]
+        {
+            let tets = self.tets.get(part.tets.clone()).unwrap_or_default();
+            let triangles = boundary_triangles(tets);
+            let mut surface: Vec<u32> = triangles.as_flattened().to_vec();
+            surface.sort_unstable();
+            surface.dedup();
+            self.surfaces.push((triangles, surface, friction));
+        }
+        Ok(part)
+    }
+
+    /// Adds a rigid body of mass `mass` (kg), its centre at `centre` (metres) and its axes along `axes`
+    /// (orthonormal, right-handed), as one tetrahedron of four equal masses; `damped_like` gives the system's Rayleigh
+    /// damping, of which α acts on it.
+    ///
+    /// # Errors
+    /// [`JoinError`]; nothing is added then.
+    #[cfg(feature = "contact")]
+    pub fn rigid(
+        &mut self,
+        shape: Shape,
+        mass: f32,
+        centre: Vec3,
+        axes: [Vec3; 3],
+        friction: f32,
+        damped_like: &Material,
+    ) -> Result<Part, JoinError> {
+        if !(friction >= 0.0 && friction.is_finite()) {
+            return Err(JoinError::Friction);
+        }
+        let lengths = shape.lengths();
+        let nodes = shape.nodes(centre, axes);
+        // Of the rounded nodes, so that the mass is right wherever they are.
+        let volume = crate::mesh::shape(&nodes, &[0, 1, 2, 3]).map_or(0.0, |shape| shape.volume);
+        let density = crate::rest::to_f32(f64::from(mass) / volume);
+        // It never strains; so little that its rounding is nothing beside its inertia in any step up to a second.
+        let young = mass * 1e-6 / lengths.max_element();
+        let sizes = lengths.min_element() > 0.0 && lengths.is_finite() && volume.is_normal();
+        let placed = centre.is_finite() && axes.iter().all(|e| e.is_finite());
+        if !(mass > 0.0 && sizes && placed && density.is_normal() && young.is_normal()) {
+            return Err(JoinError::Rigid);
+        }
+        let material = Material::new(young, 0.0, density)
+            .and_then(|m| m.with_damping(damped_like.alpha(), damped_like.beta()))
+            .map_err(JoinError::Material)?;
+        let first = u32::try_from(self.nodes.len()).map_err(|_| JoinError::TooManyNodes)?;
+        let part = self.append(&nodes, &[[0, 1, 2, 3]], |_| material)?;
+        self.rigids.push(Rigid::new(first, shape, friction));
+        Ok(part)
+    }
+
+    /// The rigid bodies, for [`Couplings`](crate::coupling::Couplings).
+    #[cfg(feature = "contact")]
+    #[must_use]
+    pub fn rigids(&self) -> Vec<Rigid> {
+        self.rigids.clone()
+    }
+
+    /// The soft pieces with their surfaces, for [`Couplings`](crate::coupling::Couplings).
+    #[cfg(feature = "contact")]
+    #[must_use]
+    pub fn pieces(&self) -> Vec<Piece<'_>> {
+        self.surfaces
+            .iter()
+            .zip(&self.parts)
+            .map(|((triangles, nodes, friction), part)| Piece {
+                // Counted when they were added.
+                range: (part.nodes.start as u32, part.nodes.end as u32),
+                triangles,
+                nodes,
+                friction: *friction,
+            })
+            .collect()
+    }
+}
