@@ -1,0 +1,12 @@
+//! Contact between bodies of one system: momentum, energy, friction, rest, rigid bodies, overflow, and one step
+//! against a dense solve in f64.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod free;
+mod limits;
+mod oracle;
+mod rest;
+mod rigid;
+mod world;

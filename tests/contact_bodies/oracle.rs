@@ -1,0 +1,374 @@
+//! One step with couplings against a dense solve in f64: A' = A + Σ Wᵀ B W on the motions that rigid bodies have, with
+//! the law of contact written down a second time from its description.
+
+use femto::Scene;
+use femto::coupling::{Coupling, Link};
+use femto::glam::Vec3;
+use femto::join::Assembly;
+use femto::settings::{Budget, Preconditioner, Settings, Start};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+
+use super::support::meshes::noise;
+use super::support::reference::{Reference, node, stack};
+use super::world::{AXES, World, ball, cube, soft};
+
+const YOUNG: f32 = 2e5;
+const FRICTION: f64 = 0.4;
+
+/// A coupling in f64.
+struct Dense {
+    /// 3 × 3n
+    w: DMatrix<f64>,
+    b: Matrix3<f64>,
+    j: Vector3<f64>,
+}
+
+struct Oracle {
+    reference: Reference,
+    a: DMatrix<f64>,
+    b: DVector<f64>,
+    /// First nodes of the rigid bodies.
+    rigid: Vec<usize>,
+}
+
+impl Oracle {
+    fn new(world: &World, h: f64) -> Self {
+        let parts = &world.parts;
+        let mut reference =
+            Reference::new(&parts.nodes, &parts.tets, f64::from(YOUNG), 0.3, 1000.0);
+        reference.h = h;
+        reference.gravity = [0.0, -9.81, 0.0];
+        reference.masses = world
+            .body
+            .rest()
+            .masses
+            .iter()
+            .map(|m| f64::from(*m))
+            .collect();
+        let rigid: Vec<usize> = world.rigids.iter().map(|r| r.first() as usize).collect();
+        for (tet, volume) in reference.tets.iter().zip(&mut reference.volumes) {
+            if rigid.contains(&tet[0]) {
+                *volume = 0.0;
+            }
+        }
+        reference.x = stack(world.body.positions());
+        reference.v = stack(world.body.velocities());
+        let q = reference.rotations(&reference.x);
+        let (a, b) = reference.system(&q);
+        Self {
+            reference,
+            a,
+            b,
+            rigid,
+        }
+    }
+
+    /// Columns: what may move.
+    fn motions(&self) -> DMatrix<f64> {
+        let n = self.reference.masses.len();
+        let soft = n - 4 * self.rigid.len();
+        let mut t = DMatrix::zeros(3 * n, 3 * soft + 6 * self.rigid.len());
+        for k in 0..3 * soft {
+            t[(k, k)] = 1.0;
+        }
+        for (r, &first) in self.rigid.iter().enumerate() {
+            let centre = self.centre(first);
+            for k in 0..4 {
+                let d = node(&self.reference.x, first + k) - centre;
+                for axis in 0..3 {
+                    let e = Vector3::ith(axis, 1.0);
+                    let at = 3 * (first + k);
+                    t.fixed_view_mut::<3, 1>(at, 3 * soft + 6 * r + axis)
+                        .copy_from(&e);
+                    t.fixed_view_mut::<3, 1>(at, 3 * soft + 6 * r + 3 + axis)
+                        .copy_from(&e.cross(&d));
+                }
+            }
+        }
+        t
+    }
+
+    fn centre(&self, first: usize) -> Vector3<f64> {
+        (0..4)
+            .map(|k| node(&self.reference.x, first + k))
+            .sum::<Vector3<f64>>()
+            / 4.0
+    }
+
+    /// a_k and the velocity that node k would take by itself.
+    fn alone(&self, k: usize) -> (f64, Vector3<f64>) {
+        let a = self.a.fixed_view::<3, 3>(3 * k, 3 * k).trace() / 3.0;
+        let v = node(&self.reference.v, k);
+        let push = node(&self.b, k) - v * self.reference.masses[k];
+        (a, v + push / a)
+    }
+
+    /// 1/(the mass that a push along n meets), by moving unit masses: rigid sides in their six motions only.
+    fn compliance(&self, slot: &Coupling, n: Vector3<f64>) -> f64 {
+        let weights: Vec<(u32, f32)> = slot.weights().collect();
+        let mut sum = 0.0;
+        for side in weights.chunks(4) {
+            let first = side[0].0 as usize;
+            if self.rigid.contains(&first) {
+                // A force n at the point gives the body these velocities.
+                let (mass, centre) = (4.0 * self.reference.masses[first], self.centre(first));
+                let mut inertia = Matrix3::zeros();
+                let mut arm = Vector3::zeros();
+                for &(k, w) in side {
+                    let d = node(&self.reference.x, k as usize) - centre;
+                    inertia +=
+                        (Matrix3::identity() * d.norm_squared() - d * d.transpose()) * (mass / 4.0);
+                    arm += d * f64::from(w);
+                }
+                let turn = arm.cross(&n);
+                sum += 1.0 / mass + turn.dot(&(inertia.try_inverse().unwrap() * turn));
+            } else {
+                for &(k, w) in side {
+                    sum += f64::from(w) * f64::from(w) / self.alone(k as usize).0;
+                }
+            }
+        }
+        sum
+    }
+
+    fn w(&self, slot: &Coupling) -> DMatrix<f64> {
+        let mut w = DMatrix::zeros(3, self.b.len());
+        for (k, weight) in slot.weights() {
+            for axis in 0..3 {
+                w[(axis, 3 * k as usize + axis)] += f64::from(weight);
+            }
+        }
+        w
+    }
+
+    /// The law of the module's documentation.
+    fn contact(&self, slot: &Coupling) -> Option<Dense> {
+        let n = Vector3::from(slot.normal().map(f64::from));
+        let (h, d) = (self.reference.h, f64::from(slot.gap()));
+        let a = 1.0 / self.compliance(slot, n);
+        let alone: Vec<Vector3<f64>> = slot
+            .weights()
+            .map(|(k, w)| self.alone(k as usize).1 * f64::from(w))
+            .collect();
+        let w: Vector3<f64> = alone.iter().sum();
+        let matrix = self.w(slot);
+        let u_all = &matrix * &self.reference.v;
+        let u = Vector3::new(u_all[0], u_all[1], u_all[2]);
+        let (wn, un) = (w.dot(&n), u.dot(&n));
+        let c = 32.0 * a;
+        let (normal, push, grip);
+        if d <= 0.0 {
+            let out = 0.125 * -d / h;
+            if wn >= out {
+                return None;
+            }
+            (normal, push) = (c, c * out);
+            grip = push + (c * (-un).max(0.0)).min(2.0 * a * (-wn).max(0.0));
+        } else {
+            if d + h * wn >= 0.0 {
+                return None;
+            }
+            normal = c.min(a * (h * -wn / d - 1.0));
+            push = 0.0;
+            grip = a * -wn * normal / (a + normal);
+        }
+        let grip = FRICTION * grip;
+        let speed = (u - n * un)
+            .norm()
+            .max((w - n * wn).norm() - 4.0 * grip / a);
+        let tangent = if grip == 0.0 {
+            0.0
+        } else {
+            c.min(grip / speed)
+        };
+        let nn = n * n.transpose();
+        Some(Dense {
+            w: matrix,
+            b: nn * normal + (Matrix3::identity() - nn) * tangent,
+            j: n * push,
+        })
+    }
+
+    fn solve(&self, couplings: &[Dense]) -> DVector<f64> {
+        let (mut a, mut b) = (self.a.clone(), self.b.clone());
+        for c in couplings {
+            a += c.w.transpose() * c.b * &c.w;
+            b += c.w.transpose() * c.j;
+        }
+        let t = self.motions();
+        let reduced = t.transpose() * a * &t;
+        let q = reduced.cholesky().unwrap().solve(&(t.transpose() * b));
+        t * q
+    }
+}
+
+/// Two cubes that overlap a little, thrown together and shaken, and a ball on one of them.
+fn crowd(settings: &Settings<'_>) -> World {
+    let mut parts = Assembly::new();
+    for at in [[0.0, 0.0, 0.0], [0.395, 0.05, 0.07]] {
+        let mesh = cube(0.4, 3, at);
+        parts
+            .soft(&mesh.nodes, &mesh.tets, soft(YOUNG), FRICTION as f32)
+            .unwrap();
+    }
+    parts
+        .rigid(
+            ball(0.1),
+            6.0,
+            Vec3::new(0.2, 0.5, 0.21),
+            AXES,
+            FRICTION as f32,
+            &soft(YOUNG),
+        )
+        .unwrap();
+    let mut world = World::new(parts, settings, 128);
+    world.throw(&[
+        (Vec3::new(0.3, 0.0, 0.1), Vec3::ZERO),
+        (Vec3::new(-0.4, 0.1, 0.0), Vec3::new(0.0, 1.0, 0.5)),
+        (Vec3::new(0.5, -1.0, 0.0), Vec3::new(1.0, 0.0, 4.0)),
+    ]);
+    let soft = world.parts.parts[2].nodes.start;
+    let (mut x, mut v) = (
+        world.body.positions().to_vec(),
+        world.body.velocities().to_vec(),
+    );
+    for (i, (dx, dv)) in noise(soft, 2e-3, 7)
+        .iter()
+        .zip(noise(soft, 0.1, 8))
+        .enumerate()
+    {
+        for axis in 0..3 {
+            x[i][axis] += dx[axis];
+            v[i][axis] += dv[axis];
+        }
+    }
+    world.body.place(&x, &v).unwrap();
+    world
+}
+
+fn settings(iterations: u32, preconditioner: Preconditioner<'static>) -> Settings<'static> {
+    Settings::new(0.01)
+        .unwrap()
+        .with_budget(Budget {
+            iterations,
+            polar_sweeps: 4,
+        })
+        .with_start(Start::Galerkin(1))
+        .with_preconditioner(preconditioner)
+}
+
+#[test]
+fn a_step_is_the_dense_solution() {
+    for preconditioner in [
+        Preconditioner::Identity,
+        Preconditioner::Mass,
+        Preconditioner::Jacobi,
+        Preconditioner::BlockJacobi,
+    ] {
+        let settings = settings(600, preconditioner);
+        let mut world = crowd(&settings);
+        world.links = vec![
+            Link::nodes(0, 70).soft(3e3, 20.0),
+            Link::to_target(
+                [(3, 1.0)],
+                Vec3::new(-0.1, 0.2, 0.3),
+                Vec3::new(1.0, 0.0, 0.0),
+            )
+            .soft(500.0, 5.0),
+        ];
+        let oracle = Oracle::new(&world, 0.01);
+        let gravity = Vec3::new(0.0, -9.81, 0.0);
+        let report = world.step(
+            &Scene {
+                gravity,
+                ..Scene::default()
+            },
+            &settings,
+        );
+        assert!(report.advanced() && report.dropped == 0, "{report:?}");
+
+        let (links, contacts) = world.slots.split_at(2);
+        let mut dense: Vec<Dense> = contacts
+            .iter()
+            .filter(|slot| slot.normal() != [0.0; 3])
+            .filter_map(|slot| oracle.contact(slot))
+            .collect();
+        let active = contacts.iter().filter(|slot| slot.is_active()).count();
+        assert_eq!(dense.len(), active);
+        assert!(active > 15, "{active} contacts");
+        for (slot, (k, c, target, s)) in links.iter().zip([
+            (3e3, 20.0, Vector3::zeros(), Vector3::zeros()),
+            (
+                500.0,
+                5.0,
+                Vector3::new(-0.1, 0.2, 0.3),
+                Vector3::new(1.0, 0.0, 0.0),
+            ),
+        ]) {
+            // −h k (e + h (u⁺ − s)) − h c (u⁺ − s)
+            let w = oracle.w(slot);
+            let apart = &w * &oracle.reference.x;
+            let apart = Vector3::new(apart[0], apart[1], apart[2]) - target;
+            let b = 0.01 * 0.01 * k + 0.01 * c;
+            dense.push(Dense {
+                w,
+                b: Matrix3::identity() * b,
+                j: s * b - apart * (0.01 * k),
+            });
+        }
+        let expected = oracle.solve(&dense);
+        let found = stack(world.body.velocities());
+        // Residuals end below 2⁻²² of the right-hand side, and the error is at most the root of the condition number (some
+        // 10³ with couplings of 32 a) times that, relative to the largest speed in the A-norm; forces of f32 positions
+        // (0.6 m at E = 2e5) are rounded at ε h E x Δx, or 2e-5 of a node's momentum here.
+        let size = expected.amax();
+        let soft = world.parts.parts[2].nodes.start;
+        for i in 0..soft {
+            let error = (node(&found, i) - node(&expected, i)).norm() / size;
+            assert!(error < 2e-4, "{preconditioner:?} node {i}: {error:e}");
+        }
+        // The ball has the velocity and the spin of the solution, on its turned shape.
+        let rows = |v: &DVector<f64>| -> Vector3<f64> {
+            (0..4).map(|k| node(v, soft + k)).sum::<Vector3<f64>>() / 4.0
+        };
+        assert!((rows(&found) - rows(&expected)).norm() < 2e-4 * size);
+        let spin = |x: &DVector<f64>, v: &DVector<f64>| -> Vector3<f64> {
+            let c = (0..4).map(|k| node(x, soft + k)).sum::<Vector3<f64>>() / 4.0;
+            (0..4)
+                .map(|k| (node(x, soft + k) - c).cross(&node(v, soft + k)))
+                .sum()
+        };
+        let (after, before) = (stack(world.body.positions()), &oracle.reference.x);
+        let (l, expected_l) = (spin(&after, &found), spin(before, &expected));
+        assert!(
+            (l - expected_l).norm() < 2e-4 * 0.1 * size,
+            "{l} {expected_l}"
+        );
+    }
+}
+
+#[test]
+fn weights_are_exact_for_rigid_motions() {
+    let settings = settings(1, Preconditioner::Jacobi);
+    let mut world = crowd(&settings);
+    let x = stack(world.body.positions());
+    assert!(world.step(&Scene::default(), &settings).advanced());
+    for slot in world.slots.iter().filter(|slot| slot.normal() != [0.0; 3]) {
+        let n = Vector3::from(slot.normal().map(f64::from));
+        let (mut sum, mut apart) = (0.0, Vector3::zeros());
+        for (k, w) in slot.weights() {
+            sum += f64::from(w);
+            apart += node(&x, k as usize) * f64::from(w);
+        }
+        // Coordinates up to 0.8, weights up to 1: eight products, each rounded by ε/2.
+        let rounding = 8.0 * f64::from(f32::EPSILON);
+        assert!(sum.abs() < rounding, "{sum:e}");
+        // The points are the gap apart, along the normal: impulses have no couple.
+        assert!(
+            (apart - n * f64::from(slot.gap())).norm() < rounding,
+            "{apart} {}",
+            slot.gap()
+        );
+        assert!((n.norm() - 1.0).abs() < 1e-6);
+    }
+}
