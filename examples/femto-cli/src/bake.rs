@@ -133,11 +133,12 @@ pub fn command(args: &Args) -> Result<u8, Error> {
         Some(path) => (scene::load(path)?, args.body),
         None => (args.direct.scene().map_err(as_option)?, 0),
     };
-    if body >= scene.bodies.len() {
+    let soft = scene.soft_bodies();
+    if body >= soft {
         return Err(Error::Option {
             option: "--body",
             value: body.to_string(),
-            why: format!("the scene has {} bodies, from 0", scene.bodies.len()),
+            why: format!("the scene has {soft} bodies, from 0"),
         });
     }
     if scene.layout != scene::Layout::Factored {
@@ -207,6 +208,7 @@ impl Direct {
             density: self.density.unwrap_or_default(),
             alpha: self.alpha,
             beta: self.beta,
+            friction: None,
             scale: self.scale,
             rotate: self.rotate.map(rotate),
             translate: Vector(self.translate.unwrap_or_default()),
@@ -244,6 +246,10 @@ impl Direct {
             pressure: Vec::new(),
             wind: Vec::new(),
             collider: Vec::new(),
+            contact: None,
+            rigid: Vec::new(),
+            attachment: Vec::new(),
+            spring: Vec::new(),
         };
         scene::check("command line", raw, &mut PathBuf::new())
     }

@@ -6,6 +6,7 @@
 mod asset_info;
 mod bake;
 mod colliders;
+mod coupled;
 mod demo;
 mod error;
 mod info;

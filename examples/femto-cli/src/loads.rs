@@ -48,7 +48,7 @@ pub fn check(
         None => {
             let why = format!(
                 "there is no such body; they count from 0 to {}",
-                bodies.len() - 1
+                bodies.len().saturating_sub(1)
             );
             Err(check.wrong(&key, &body, why))
         }
@@ -122,7 +122,9 @@ impl Acting {
         };
         let mut base = 0;
         for (index, body) in bodies {
-            let on_it = |load: &&Load| load.body.is_none_or(|b| b == index);
+            // A rigid body has no surface of its own.
+            let soft = body.shown.is_none();
+            let on_it = |load: &&Load| soft && load.body.is_none_or(|b| b == index);
             for load in loads.iter().filter(on_it) {
                 let own = boundary_triangles(&body.tets);
                 let act = match load.kind {

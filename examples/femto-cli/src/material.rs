@@ -64,6 +64,14 @@ impl Substances {
         Ok(Self { list, of })
     }
 
+    /// Appends those of another body.
+    pub fn add(&mut self, other: &Self) {
+        let first = u16::try_from(self.list.len()).unwrap_or(u16::MAX);
+        self.list.extend(other.list.iter().cloned());
+        self.of
+            .extend(other.of.iter().map(|&of| of.saturating_add(first)));
+    }
+
     /// Whether any part of it is not isotropic: that takes the dense layout.
     pub fn has_fibres(&self) -> bool {
         self.list.iter().any(|substance| substance.fibres.is_some())

@@ -24,14 +24,7 @@ impl Placing {
     pub fn new(check: &Checker, key: &str, raw: &file::Body) -> Result<Self, Error> {
         let at = |name: &str| format!("{key}.{name}");
         check.positive(&at("scale"), raw.scale)?;
-        let rotation = match &raw.rotate {
-            None => DMat3::IDENTITY,
-            Some(rotate) => {
-                let (axis, _) = check.direction(&at("rotate.axis"), rotate.axis)?;
-                check.any(&at("rotate.degrees"), rotate.degrees)?;
-                rotation(axis, rotate.degrees)
-            }
-        };
+        let rotation = turned(check, key, raw.rotate.as_ref())?;
         let vector = |name: &str, value: Vector| {
             check.vector(&at(name), value)?;
             Ok(DVec3::from(value.0))
@@ -49,6 +42,21 @@ impl Placing {
     /// R u: a direction of the mesh, where it has been placed.
     pub fn turn(&self, direction: DVec3) -> DVec3 {
         self.rotation * direction
+    }
+
+    pub fn of_rigid(check: &Checker, key: &str, raw: &file::RigidBody) -> Result<Self, Error> {
+        let vector = |name: &str, value: Vector| {
+            check.vector(&format!("{key}.{name}"), value)?;
+            Ok(DVec3::from(value.0))
+        };
+        Ok(Placing {
+            scale: 1.0,
+            rotation: turned(check, key, raw.rotate.as_ref())?,
+            translate: vector("translate", raw.translate)?,
+            stretch: DVec3::ONE,
+            velocity: vector("velocity", raw.velocity)?,
+            angular_velocity: vector("angular_velocity", raw.angular_velocity)?,
+        })
     }
 
     /// translate + R (scale X)
@@ -92,6 +100,15 @@ impl Placing {
         }
         Ok(rounded)
     }
+}
+
+fn turned(check: &Checker, key: &str, raw: Option<&file::Rotate>) -> Result<DMat3, Error> {
+    let Some(rotate) = raw else {
+        return Ok(DMat3::IDENTITY);
+    };
+    let (axis, _) = check.direction(&format!("{key}.rotate.axis"), rotate.axis)?;
+    check.any(&format!("{key}.rotate.degrees"), rotate.degrees)?;
+    Ok(rotation(axis, rotate.degrees))
 }
 
 /// Rodrigues: R = cos I + sin k× + (1 − cos) k kᵀ, columns.

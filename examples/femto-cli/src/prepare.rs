@@ -9,6 +9,7 @@ use femto::settings::{Budget, Preconditioner, Settings, SettingsError, Start};
 
 use femto_bake::{FactorOptions, Kind, OwnedFactor, RestStiffness, factor};
 
+use crate::coupled;
 use crate::error::Error;
 use crate::material::{Substance, Substances};
 use crate::scene::{self, Body, Scene};
@@ -101,7 +102,7 @@ impl Build for Dense {
 }
 
 /// The materials of a body.
-fn materials(scene: &Scene, body: &Body) -> Result<Vec<Material>, Error> {
+pub fn materials(scene: &Scene, body: &Body) -> Result<Vec<Material>, Error> {
     let of = |part: &Substance| {
         let material = Material::new(part.young, part.poisson, part.density)
             .and_then(|material| material.with_damping(body.alpha, body.beta));
@@ -168,6 +169,16 @@ pub fn factor_of<L: RestStiffness>(
     options: FactorOptions,
 ) -> Result<OwnedFactor, Error> {
     let held = scene.bodies[index].pins.iter().map(|pin| pin.0).collect();
+    factored(scene, &format!("body[{index}]"), rest, held, options)
+}
+
+fn factored<L: RestStiffness>(
+    scene: &Scene,
+    what: &str,
+    rest: &OwnedRest<L>,
+    held: Vec<u32>,
+    options: FactorOptions,
+) -> Result<OwnedFactor, Error> {
     let options = FactorOptions { held, ..options };
     let name = match options.kind {
         Kind::Warped => "warped",
@@ -177,28 +188,40 @@ pub fn factor_of<L: RestStiffness>(
         file: scene.file.clone(),
         key: "solver.preconditioner".into(),
         value: format!("{name:?}"),
-        why: format!("body[{index}] cannot be factored: {e}"),
+        why: format!("{what} cannot be factored: {e}"),
     })
 }
 
-/// The factors of a scene's bodies; none where it asks for none.
+/// The factors of a scene's bodies, or of the one system that they are; none where it asks for none.
 pub struct Factors(pub Vec<Option<OwnedFactor>>);
 
 impl Factors {
     /// In single precision, all entries kept.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
         let scene::Preconditioner::Factored(kind) = scene.preconditioner else {
-            return Ok(Self(scene.bodies.iter().map(|_| None).collect()));
+            return Ok(Self((0..scene.systems()).map(|_| None).collect()));
         };
-        let one = |index: usize| {
-            let options = FactorOptions {
-                kind,
-                ..FactorOptions::default()
-            };
-            let made = if scene.bodies[index].substances.has_fibres() {
-                factor_of(scene, index, &rest::<Dense>(scene, index)?, options)
+        let options = || FactorOptions {
+            kind,
+            ..FactorOptions::default()
+        };
+        if let Some(coupled) = &scene.coupled {
+            let held = scene.all_pins().map(|pin| pin.0).collect();
+            let what = "the system of all bodies";
+            let factor = if scene.has_fibres() {
+                let (_, rest) = coupled::joint::<Dense>(scene, coupled)?;
+                factored(scene, what, &rest, held, options())?
             } else {
-                factor_of(scene, index, &rest::<Factored>(scene, index)?, options)
+                let (_, rest) = coupled::joint::<Factored>(scene, coupled)?;
+                factored(scene, what, &rest, held, options())?
+            };
+            return Ok(Self(vec![Some(factor)]));
+        }
+        let one = |index: usize| {
+            let made = if scene.bodies[index].substances.has_fibres() {
+                factor_of(scene, index, &rest::<Dense>(scene, index)?, options())
+            } else {
+                factor_of(scene, index, &rest::<Factored>(scene, index)?, options())
             };
             made.map(Some)
         };

@@ -13,7 +13,7 @@ use svg::node::Blob;
 use svg::node::element::{Group, Rectangle, Style, Text};
 
 use crate::colliders::Collider;
-use crate::scene::Scene;
+use crate::scene::{Body, Scene};
 use crate::sim::{Energies, Sim};
 use camera::{Camera, Frame};
 use panel::{Bounds, Panel};
@@ -52,10 +52,17 @@ pub struct Moment {
 }
 
 impl Moment {
-    pub fn new(time: f64, sim: &Sim, tets: &[&[[u32; 4]]]) -> Self {
+    pub fn new(time: f64, scene: &Scene, sim: &Sim) -> Self {
+        let tets: Vec<_> = scene.bodies.iter().map(Body::shown_tets).collect();
         let point = |&[x, y, z]: &[f32; 3]| DVec3::new(x.into(), y.into(), z.into());
         let positions = (0..sim.bodies())
-            .map(|b| sim.positions(b).iter().map(point).collect())
+            .map(|b| {
+                scene.bodies[b]
+                    .show(sim.positions(b))
+                    .iter()
+                    .map(point)
+                    .collect()
+            })
             .collect();
         let surface = |(body, tets): (usize, &&[[u32; 4]])| {
             let whole = sim.whole(body, tets.len());
@@ -130,7 +137,7 @@ impl<'a> Preview<'a> {
             surfaces: scene
                 .bodies
                 .iter()
-                .map(|b| boundary_triangles(&b.tets))
+                .map(|b| boundary_triangles(b.shown_tets()))
                 .collect(),
         }
     }

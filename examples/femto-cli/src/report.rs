@@ -24,6 +24,9 @@ pub struct Report<'a> {
     /// Of scenes whose bodies yield or break.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub damage: Option<Damage>,
+    /// Contacts between bodies that found no room; only where bodies touch.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contacts_dropped: Option<u64>,
     /// "completed", or "refused: " and why.
     pub ended: String,
 }

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::prepare::Factors;
 use crate::preview::{EnergyLog, Moment, Preview};
 use crate::report::{EnergyReport, FirstAndLast, Report, StepTimes};
-use crate::scene::Scene;
+use crate::scene::{Body, Scene};
 use crate::sim::{Energies, Sim};
 use crate::{scene, tables, vtu};
 
@@ -24,6 +24,8 @@ pub struct Summary {
     pub max_rise: (f64, u32),
     pub times: StepTimes,
     pub steps_run: u32,
+    /// Contacts between bodies that found no room.
+    pub dropped: u64,
     /// Why a step was refused.
     pub refused: Option<String>,
 }
@@ -117,7 +119,6 @@ pub fn run(
     let mut files = Files::new(out, !frames.is_empty())?;
     let mut trace =
         tables::trace(&out.join("trace.csv")).map_err(|e| files.wrong("trace.csv", e.into()))?;
-    let tets: Vec<&[[u32; 4]]> = scene.bodies.iter().map(|b| b.tets.as_slice()).collect();
     let moments = evenly(crate::preview::MOMENTS, scene.steps);
     let mut preview = Preview::new(scene);
     let progress = Progress::new(scene.steps, quiet);
@@ -128,14 +129,15 @@ pub fn run(
     let mut max_rise = (0.0, 0);
     let mut times = Vec::with_capacity(scene.steps.min(1 << 20) as usize);
     let mut refused = None;
+    let mut dropped = 0;
     let mut step = 0;
     loop {
         let time = f64::from(step) * scene.dt;
         if moments.contains(&step) {
-            preview.moments.push(Moment::new(time, sim, &tets));
+            preview.moments.push(Moment::new(time, scene, sim));
         }
         if frames.get(files.frames.len()) == Some(&step) {
-            files.frame(time, sim, &tets)?;
+            files.frame(time, sim, &scene.bodies)?;
         }
         if step == scene.steps {
             break;
@@ -148,6 +150,7 @@ pub fn run(
             }
         };
         times.push(info.took);
+        dropped += u64::from(info.dropped);
         step += 1;
         after_step(sim);
         let time = f64::from(step) * scene.dt;
@@ -174,10 +177,10 @@ pub fn run(
         // The last good state is shown too.
         let time = f64::from(step) * scene.dt;
         if !moments.contains(&step) {
-            preview.moments.push(Moment::new(time, sim, &tets));
+            preview.moments.push(Moment::new(time, scene, sim));
         }
         if !frames.is_empty() && !frames.contains(&step) {
-            files.frame(time, sim, &tets)?;
+            files.frame(time, sim, &scene.bodies)?;
         }
     }
     let svg = preview.draw(&energy, refused.is_some());
@@ -199,6 +202,7 @@ pub fn run(
         seconds_per_step: times,
         steps_run: step,
         damage: sim.damage(),
+        contacts_dropped: scene.coupled.as_ref().map(|_| dropped),
         ended: match &refused {
             None => "completed".into(),
             Some(why) => format!("refused: {why}"),
@@ -213,6 +217,7 @@ pub fn run(
         max_rise,
         times,
         steps_run: step,
+        dropped,
         refused,
     })
 }
@@ -279,10 +284,10 @@ impl<'a> Files<'a> {
         }
     }
 
-    fn frame(&mut self, time: f64, sim: &Sim, tets: &[&[[u32; 4]]]) -> Result<(), Error> {
+    fn frame(&mut self, time: f64, sim: &Sim, bodies: &[Body]) -> Result<(), Error> {
         let name = format!("frame-{:05}.vtu", self.frames.len());
         let file = format!("frames/{name}");
-        vtu::write_frame(&self.out.join(&file), sim, tets).map_err(|e| self.wrong(&file, e))?;
+        vtu::write_frame(&self.out.join(&file), sim, bodies).map_err(|e| self.wrong(&file, e))?;
         self.frames.push((time, name));
         Ok(())
     }
@@ -355,6 +360,13 @@ fn describe(scene: &Scene, sim: &Sim, summary: &Summary, out: &Path) -> String {
         summary.first.total(),
         summary.last.total()
     );
+    if summary.dropped > 0 {
+        let _ = writeln!(
+            text,
+            "contacts  {} found no room: raise contact.capacity",
+            summary.dropped
+        );
+    }
     let _ = writeln!(text, "state     {:016x}", sim.hash());
     let _ = writeln!(text, "written   {}", out.display());
     text

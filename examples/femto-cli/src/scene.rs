@@ -9,6 +9,7 @@ use femto_bake::Kind;
 use glam::DVec3;
 
 use crate::colliders::{self, Collider};
+use crate::coupled::{self, Coupled};
 use crate::error::Error;
 use crate::loads::{self, Carried, Load};
 use crate::material::{Laws, Substances};
@@ -35,6 +36,40 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     pub colliders: Vec<Collider>,
     pub loads: Vec<Load>,
+    /// Where all bodies are one system; rigid bodies are then the last of `bodies`.
+    pub coupled: Option<Coupled>,
+}
+
+impl Scene {
+    /// Bodies before the rigid ones.
+    pub fn soft_bodies(&self) -> usize {
+        let rigid = self.coupled.as_ref().map_or(0, |c| c.rigid.len());
+        self.bodies.len() - rigid
+    }
+
+    /// Whether any body is not isotropic.
+    pub fn has_fibres(&self) -> bool {
+        self.bodies.iter().any(|body| body.substances.has_fibres())
+    }
+
+    /// Systems that are solved: one of all bodies, or each.
+    pub fn systems(&self) -> usize {
+        if self.coupled.is_some() {
+            1
+        } else {
+            self.bodies.len()
+        }
+    }
+
+    /// Node numbers and velocities of all pins, nodes counted through all bodies.
+    pub fn all_pins(&self) -> impl Iterator<Item = (u32, [f32; 3])> {
+        let mut first = 0;
+        self.bodies.iter().flat_map(move |body| {
+            let base = first;
+            first += body.x.len() as u32;
+            body.pins.iter().map(move |&(node, v)| (base + node, v))
+        })
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +118,40 @@ pub struct Body {
     pub pins: Vec<(u32, [f32; 3])>,
     /// Pins whose velocity is that of a frame that turns.
     pub carried: Vec<Carried>,
+    /// What is drawn instead of the mesh.
+    pub shown: Option<Shown>,
+}
+
+/// A shape that moves with four nodes.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// Of the nodes at each point; they sum to 1.
+    pub weights: Vec<[f64; 4]>,
+    pub tets: Vec<[u32; 4]>,
+}
+
+impl Body {
+    /// The tetrahedra to draw, over the points of [`Self::show`].
+    pub fn shown_tets(&self) -> &[[u32; 4]] {
+        self.shown.as_ref().map_or(&self.tets, |shown| &shown.tets)
+    }
+
+    /// Node vectors at the points that are drawn.
+    pub fn show(&self, nodes: &[[f32; 3]]) -> Vec<[f32; 3]> {
+        let Some(shown) = &self.shown else {
+            return nodes.to_vec();
+        };
+        let at = |w: &[f64; 4]| {
+            let mean = |axis: usize| {
+                w.iter()
+                    .zip(nodes)
+                    .map(|(w, x)| w * f64::from(x[axis]))
+                    .sum::<f64>()
+            };
+            [0, 1, 2].map(|axis| mean(axis) as f32)
+        };
+        shown.weights.iter().map(at).collect()
+    }
 }
 
 /// Where meshes come from: a folder, or the ones built into the tool.
@@ -216,7 +285,7 @@ impl Checker<'_> {
         for (i, collider) in raw.collider.iter().enumerate() {
             solids.push(colliders::check(self, &format!("collider[{i}]"), collider)?);
         }
-        if raw.body.is_empty() {
+        if raw.body.is_empty() && raw.rigid.is_empty() {
             return Err(Error::Scene {
                 file: self.file.into(),
                 what: "body: there is none: at least one [[body]] is needed".into(),
@@ -226,6 +295,18 @@ impl Checker<'_> {
         let mut bodies = Vec::new();
         for (i, body) in raw.body.iter().enumerate() {
             bodies.push(self.body(&format!("body[{i}]"), body, meshes, &mut loaded)?);
+        }
+        let coupled = match coupled::wanted(&raw) {
+            true => Some(coupled::check(self, &raw, &mut bodies)?),
+            false => None,
+        };
+        if let (None, Some(i)) = (&coupled, raw.body.iter().position(|b| b.friction.is_some())) {
+            let (key, friction) = (format!("body[{i}].friction"), raw.body[i].friction);
+            return Err(self.wrong(
+                &key,
+                &friction.unwrap_or_default(),
+                "bodies touch only in a scene with [contact]; friction with a collider is the collider's",
+            ));
         }
         Ok(Scene {
             file: self.file.into(),
@@ -239,9 +320,10 @@ impl Checker<'_> {
             preconditioner,
             start,
             layout,
-            loads: loads::check(self, &raw.pressure, &raw.wind, &bodies)?,
+            loads: loads::check(self, &raw.pressure, &raw.wind, &bodies[..raw.body.len()])?,
             bodies,
             colliders: solids,
+            coupled,
         })
     }
 
@@ -371,6 +453,7 @@ impl Checker<'_> {
             v,
             pins,
             carried,
+            shown: None,
         })
     }
 }

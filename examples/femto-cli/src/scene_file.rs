@@ -27,6 +27,83 @@ pub struct SceneFile {
     pub pressure: Vec<Pressure>,
     #[serde(default)]
     pub wind: Vec<Wind>,
+    pub contact: Option<Contact>,
+    #[serde(default)]
+    pub rigid: Vec<RigidBody>,
+    #[serde(default)]
+    pub attachment: Vec<Attachment>,
+    #[serde(default)]
+    pub spring: Vec<Spring>,
+}
+
+/// Makes one system of all bodies, in which they touch.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Contact {
+    pub friction: f64,
+    pub capacity: u32,
+}
+
+impl Default for Contact {
+    fn default() -> Self {
+        Contact {
+            friction: 0.0,
+            capacity: 256,
+        }
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RigidBody {
+    pub ball: Option<Ball>,
+    #[serde(rename = "box")]
+    pub cuboid: Option<Vector>,
+    pub mass: f64,
+    pub friction: Option<f64>,
+    pub rotate: Option<Rotate>,
+    #[serde(default)]
+    pub translate: Vector,
+    #[serde(default)]
+    pub velocity: Vector,
+    #[serde(default)]
+    pub angular_velocity: Vector,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ball {
+    pub radius: f64,
+}
+
+/// A place on a soft or a rigid body.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct End {
+    pub body: Option<usize>,
+    pub rigid: Option<usize>,
+    pub point: Vector,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Attachment {
+    pub a: End,
+    pub b: End,
+    pub stiffness: Option<f64>,
+    pub damping: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    pub from: End,
+    pub target: Vector,
+    #[serde(default)]
+    pub velocity: Vector,
+    pub stiffness: f64,
+    #[serde(default)]
+    pub damping: f64,
 }
 
 #[derive(Debug, Deserialize)]
@@ -85,6 +162,8 @@ pub struct Body {
     pub alpha: f64,
     #[serde(default)]
     pub beta: f64,
+    /// On other bodies; needs `[contact]`.
+    pub friction: Option<f64>,
     #[serde(default = "one")]
     pub scale: f64,
     pub rotate: Option<Rotate>,

@@ -1,10 +1,12 @@
 //! The only file that runs the library's solver.
 
 use std::fmt::Display;
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 use femto::body::{rest_bytes, state_bytes, workspace_bytes};
 use femto::constraint::Pin;
+use femto::coupling::{Coupling, Couplings};
 use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
@@ -20,6 +22,7 @@ use femto_bake::OwnedFactor;
 use serde::Serialize;
 
 use crate::colliders::Solid;
+use crate::coupled::{self, Joint};
 use crate::error::Error;
 use crate::loads::Acting;
 use crate::material::Laws;
@@ -28,7 +31,11 @@ use crate::scene::{self, Scene};
 
 /// The step by step life of a scene.
 pub struct Sim<'a> {
+    /// One a body, or one of them all.
     bodies: Vec<Body<'a>>,
+    /// What joins them then, and the nodes of each body.
+    joint: Option<Joint>,
+    ranges: Vec<Range<usize>>,
     gravity: Vec3,
     settings: Settings<'static>,
     substeps: u32,
@@ -123,6 +130,8 @@ pub struct StepInfo {
     /// ‖b − Av‖/‖b‖ of the last substep, all bodies stacked; 0 where ‖b‖ = 0.
     pub residual: f64,
     pub contacts: u32,
+    /// Contacts of all substeps that found no room.
+    pub dropped: u32,
     /// Time in the solver.
     pub took: Duration,
 }
@@ -146,7 +155,21 @@ impl<'a> Sim<'a> {
         };
         let settings = prepare::settings(scene)?;
         let mut bodies = Vec::new();
-        for (i, (body, factor)) in scene.bodies.iter().zip(&factors.0).enumerate() {
+        let mut joint = None;
+        if let Some(coupled) = &scene.coupled {
+            let (made, body) = joined(scene, coupled, &settings, factors)?;
+            bodies.push(body);
+            joint = Some(made);
+        }
+        let separate = scene.systems().min(scene.bodies.len());
+        let separate = if joint.is_some() { 0 } else { separate };
+        for (i, (body, factor)) in scene
+            .bodies
+            .iter()
+            .zip(&factors.0)
+            .take(separate)
+            .enumerate()
+        {
             let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
             let mut aggregates = aggregated.then(|| vec![0; body.rest.len()]);
             let of = aggregates.as_deref_mut();
@@ -191,8 +214,16 @@ impl<'a> Sim<'a> {
             let solid = Solid::new(collider);
             colliders.push(solid.map_err(|why| wrong(&format!("collider[{i}]"), shape, why))?);
         }
+        let mut ranges = Vec::new();
+        let mut first = 0;
+        for body in &scene.bodies {
+            ranges.push(first..first + body.x.len());
+            first += body.x.len();
+        }
         Ok(Sim {
             bodies,
+            joint,
+            ranges,
             gravity: Vec3::from_array(scene.gravity),
             settings,
             substeps: scene.budget.substeps,
@@ -231,6 +262,7 @@ impl<'a> Sim<'a> {
         let mut info = StepInfo {
             residual: 0.0,
             contacts: 0,
+            dropped: 0,
             took: Duration::ZERO,
         };
         for substep in 0..self.substeps {
@@ -260,8 +292,20 @@ impl<'a> Sim<'a> {
                     body.laws,
                 );
                 let begin = Instant::now();
-                let report: StepReport =
-                    with!(&mut body.kind, body => body.step(&scene, &settings));
+                let report: StepReport = match &mut self.joint {
+                    None => with!(&mut body.kind, body => body.step(&scene, &settings)),
+                    Some(joint) => {
+                        joint.move_targets(time);
+                        let pieces = joint.parts.pieces();
+                        let mut couplings = Couplings::new(
+                            &pieces,
+                            &mut joint.rigids,
+                            &joint.links,
+                            &mut joint.slots,
+                        );
+                        with!(&mut body.kind, body => body.step_coupled(&scene, &settings, &mut couplings))
+                    }
+                };
                 info.took += begin.elapsed();
                 if let Some(refusal) = report.refusal {
                     return Err(match (self.bodies.len(), self.substeps) {
@@ -272,7 +316,8 @@ impl<'a> Sim<'a> {
                 residual += f64::from(report.residual_after) * f64::from(report.residual_after);
                 rhs += f64::from(report.rhs) * f64::from(report.rhs);
                 body.damage.add(&report);
-                info.contacts += report.contacts;
+                info.contacts += report.contacts + report.couplings;
+                info.dropped += report.dropped;
             }
             info.residual = if rhs > 0.0 {
                 (residual / rhs).sqrt()
@@ -306,19 +351,36 @@ impl<'a> Sim<'a> {
     }
 
     pub fn bodies(&self) -> usize {
-        self.bodies.len()
+        self.ranges.len()
     }
 
     pub fn positions(&self, body: usize) -> &[[f32; 3]] {
-        with!(&self.bodies[body].kind, body => body.positions())
+        match self.joint {
+            None => with!(&self.bodies[body].kind, body => body.positions()),
+            Some(_) => {
+                let all = with!(&self.bodies[0].kind, body => body.positions());
+                &all[self.ranges[body].clone()]
+            }
+        }
     }
 
     pub fn velocities(&self, body: usize) -> &[[f32; 3]] {
-        with!(&self.bodies[body].kind, body => body.velocities())
+        match self.joint {
+            None => with!(&self.bodies[body].kind, body => body.velocities()),
+            Some(_) => {
+                let all = with!(&self.bodies[0].kind, body => body.velocities());
+                &all[self.ranges[body].clone()]
+            }
+        }
     }
 
     /// FNV-1a over the bits of all x, then all v, then plastic strain and what has broken, if any, body by body.
     pub fn hash(&self) -> u64 {
+        if self.joint.is_some() {
+            let bodies = 0..self.bodies();
+            let one = |hash: StateHash, b| hash.with(self.positions(b), self.velocities(b));
+            return bodies.fold(StateHash::new(), one).value();
+        }
         self.bodies
             .iter()
             .fold(
@@ -344,6 +406,9 @@ impl<'a> Sim<'a> {
     /// Which tets of a body are whole, as the scene counts them.
     pub fn whole(&self, body: usize, tets: usize) -> Vec<bool> {
         let mut whole = vec![true; tets];
+        if self.joint.is_some() {
+            return whole;
+        }
         let body = &self.bodies[body];
         with!(&body.kind, built => {
             let state = built.state().view();
@@ -357,6 +422,9 @@ impl<'a> Sim<'a> {
     /// Norm of the plastic strain of a body's tets, as the scene counts them; 0 for those of bodies that do not yield.
     pub fn plastic_strain(&self, body: usize, tets: usize) -> Vec<f32> {
         let mut norms = vec![0.0; tets];
+        if self.joint.is_some() {
+            return norms;
+        }
         let body = &self.bodies[body];
         with!(&body.kind, built => {
             let state = built.state().view();
@@ -388,6 +456,9 @@ impl<'a> Sim<'a> {
             sum.state += one.state;
             sum.workspace = sum.workspace.max(one.workspace);
         }
+        if let Some(joint) = &self.joint {
+            sum.workspace += joint.slots.len() * size_of::<Coupling>();
+        }
         sum
     }
 }
@@ -400,6 +471,70 @@ impl Damage {
             *left = report.fracture.left;
         }
     }
+}
+
+/// All bodies in one system.
+fn joined<'a>(
+    scene: &Scene,
+    coupled: &coupled::Coupled,
+    settings: &Settings<'static>,
+    factors: &'a Factors,
+) -> Result<(Joint, Body<'a>), Error> {
+    let mut of = vec![0; scene.bodies.iter().map(|b| b.x.len()).sum()];
+    let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
+    let wrong = |why: String| Error::Value {
+        file: scene.file.clone(),
+        key: "body".into(),
+        value: format!("{} in one system", scene.bodies.len()),
+        why,
+    };
+    macro_rules! make {
+        ($layout:ty, $kind:path) => {{
+            let (joint, rest) = coupled::joint::<$layout>(scene, coupled)?;
+            let needs = match aggregated {
+                true => {
+                    Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, &mut of)
+                        .map_err(|e| wrong(e.to_string()))?;
+                    Needs::from(&own_settings(settings, None, Some(&of), Laws::default()))
+                }
+                false => Needs::from(settings),
+            };
+            (joint, $kind(Box::new(OwnedBody::from_rest(rest, needs))))
+        }};
+    }
+    let (joint, mut kind) = match scene.layout {
+        scene::Layout::Factored => make!(Factored, Kind::Factored),
+        scene::Layout::Dense => make!(Dense, Kind::Dense),
+    };
+    let all = |of: fn(&scene::Body) -> &Vec<[f32; 3]>| {
+        scene
+            .bodies
+            .iter()
+            .flat_map(of)
+            .copied()
+            .collect::<Vec<_>>()
+    };
+    let (x, v) = (all(|b| &b.x), all(|b| &b.v));
+    with!(&mut kind, built => built.place(&x, &v)).map_err(|e| wrong(e.to_string()))?;
+    let pins = scene.all_pins().map(|(node, v)| Pin {
+        node,
+        velocity: Vec3::from_array(v),
+    });
+    let body = Body {
+        kind,
+        pins: pins.collect(),
+        factor: factors
+            .0
+            .first()
+            .and_then(Option::as_ref)
+            .map(OwnedFactor::view),
+        aggregates: aggregated.then_some(of),
+        acting: Acting::new(&scene.loads, scene.bodies.iter().enumerate()).map_err(wrong)?,
+        laws: Laws::default(),
+        original: Vec::new(),
+        damage: Damage::default(),
+    };
+    Ok((joint, body))
 }
 
 fn built<L: Build>(

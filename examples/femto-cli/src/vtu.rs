@@ -8,6 +8,7 @@ use std::path::Path;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event};
 
+use crate::scene::Body;
 use crate::sim::Sim;
 
 /// VTK's number for a 4-node tet.
@@ -17,9 +18,12 @@ type Xml = Writer<BufWriter<File>>;
 
 /// All bodies in one grid: positions, velocities, and the body of each tet; where bodies yield, the norm of its plastic
 /// strain. What has broken is left out.
-pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<()> {
-    let bodies = 0..sim.bodies();
-    let points: usize = bodies.clone().map(|b| sim.positions(b).len()).sum();
+pub fn write_frame(path: &Path, sim: &Sim, bodies: &[Body]) -> io::Result<()> {
+    let tets: Vec<_> = bodies.iter().map(Body::shown_tets).collect();
+    let shown = |of: &dyn Fn(usize) -> Vec<[f32; 3]>| (0..bodies.len()).map(of).collect::<Vec<_>>();
+    let positions = shown(&|b| bodies[b].show(sim.positions(b)));
+    let velocities = shown(&|b| bodies[b].show(sim.velocities(b)));
+    let points: usize = positions.iter().map(Vec::len).sum();
     let whole: Vec<Vec<bool>> = (tets.iter().enumerate())
         .map(|(b, t)| sim.whole(b, t.len()))
         .collect();
@@ -33,7 +37,7 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     open(&mut xml, "Piece", &counts)?;
 
     open(&mut xml, "PointData", &[("Vectors", "velocity".into())])?;
-    let velocities = bodies.clone().flat_map(|b| sim.velocities(b));
+    let velocities = velocities.iter().flatten();
     array(&mut xml, "Float32", "velocity", 3, velocities.map(triple))?;
     close(&mut xml, "PointData")?;
 
@@ -54,8 +58,8 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
     close(&mut xml, "CellData")?;
 
     open(&mut xml, "Points", &[])?;
-    let positions = bodies.flat_map(|b| sim.positions(b));
-    array(&mut xml, "Float32", "position", 3, positions.map(triple))?;
+    let all = positions.iter().flatten();
+    array(&mut xml, "Float32", "position", 3, all.map(triple))?;
     close(&mut xml, "Points")?;
 
     open(&mut xml, "Cells", &[])?;
@@ -67,7 +71,7 @@ pub fn write_frame(path: &Path, sim: &Sim, tets: &[&[[u32; 4]]]) -> io::Result<(
             let [a, b, c, d] = t.map(|node| node as usize + first);
             format!("{a} {b} {c} {d}")
         }));
-        first += sim.positions(body).len();
+        first += positions[body].len();
     }
     array(&mut xml, "Int64", "connectivity", 1, corners)?;
     array(&mut xml, "Int64", "offsets", 1, (1..=cells).map(|n| 4 * n))?;
