@@ -21,6 +21,12 @@ static REST: Once<RestBuffer<NODES, BLOCKS>> = Once::new(RestBuffer::new());
 static STATE: Once<State<NODES, BLOCKS>> = Once::new(State::new());
 static WORK: Once<Workspace<NODES, BLOCKS>> = Once::new(Workspace::new());
 
+#[cfg(feature = "contact")]
+static SLOTS: Once<[femto::Coupling; 16]> = Once::new([femto::Coupling::EMPTY; 16]);
+#[cfg(feature = "contact")]
+static RIGIDS: Once<[femto::rigid::Rigid; 2]> =
+    Once::new([femto::rigid::Rigid::new(0, femto::rigid::Shape::Ball { radius: 0.1 }, 0.0); 2]);
+
 static SETTINGS: Settings = match Settings::new(0.01) {
     Ok(settings) => settings.with_start(START),
     Err(_) => panic!("a valid time step"),
@@ -48,7 +54,20 @@ fn main() -> ! {
     } else {
         (black_box(&SCENE), black_box(&SETTINGS))
     };
+    #[cfg(feature = "contact")]
+    // SAFETY: as above.
+    let (slots, rigids) = unsafe { (SLOTS.take(), RIGIDS.take()) };
     loop {
+        #[cfg(feature = "contact")]
+        let report = femto::step::step_coupled::<femto::lane::Native, _>(
+            &rest,
+            &mut state.view_mut(),
+            &mut work.view_mut(&rest),
+            scene,
+            settings,
+            &mut femto::Couplings::new(black_box(&[]), rigids, black_box(&[]), slots),
+        );
+        #[cfg(not(feature = "contact"))]
         let report = femto::step::step::<femto::lane::Native, _>(
             &rest,
             &mut state.view_mut(),
