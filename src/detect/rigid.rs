@@ -204,13 +204,14 @@ pub(super) fn against_colliders(touch: &mut Touch<'_, '_>, index: u16, rigid: &R
     for collider in colliders {
         let mut point = |p: Vec3, radius: f32| {
             let (distance, normal) = collider.distance(p);
+            let at = p - normal * radius;
             touch.contact(
-                Side::of_rigid(index, rigid, p - normal * radius),
+                Side::of_rigid(index, rigid, at),
                 Side::NONE,
                 normal,
                 distance - radius,
                 collider.friction(),
-                collider.velocity(),
+                collider.over(at, touch.step.dt).velocity,
             );
         };
         match rigid.shape {

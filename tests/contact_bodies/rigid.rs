@@ -236,3 +236,30 @@ fn a_box_sticks_below_the_angle_of_friction_and_slides_above() {
         );
     }
 }
+
+#[test]
+fn a_ball_rolls_and_a_box_rides_on_what_moves() {
+    // On ground that moves at 0.5 m/s a ball that was at rest ends with the speed of rolling: the impulse J of friction gives
+    // it v = J/m, and turns it by ω = Jr/I against that; rolling is v + ωr = 0.5, so v = 0.5/(1 + 5/2).
+    let settings = settings(5);
+    let gravity = Vec3::new(0.0, -9.81, 0.0);
+    for (shape, expected) in [(ball(0.1), 0.5 / 3.5), (cuboid(0.2, 0.1, 0.15), 0.5)] {
+        let mut world = one(shape, 2.0, &settings, 0.3, Vec3::new(0.0, 0.1, 0.0));
+        let mut ground = Collider::half_space(Vec3::Y, 0.0)
+            .and_then(|c| c.with_friction(0.5))
+            .and_then(|c| c.with_velocity(Vec3::new(0.5, 0.0, 0.0)))
+            .unwrap();
+        for _ in 0..450 {
+            let scene = Scene {
+                gravity,
+                colliders: &[ground],
+                ..Scene::default()
+            };
+            assert!(world.step(&scene, &settings).advanced());
+            ground.advance(H);
+        }
+        let v = world.velocity_of(0);
+        assert!((v.x - expected).abs() < 5e-3, "{shape:?}: {v}");
+        assert!(v.y.abs() < 1e-3);
+    }
+}
