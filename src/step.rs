@@ -220,10 +220,8 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     pin(scene.pins, work.filter, work.v);
     couplings.locate(state.x);
     couplings.project(work.r);
-    let soft = couplings.soft(nodes);
     let contact = ContactStep {
-        // Rigid bodies are not touched by their nodes.
-        masses: rest.masses.get(..soft).unwrap_or_default(),
+        masses: couplings.touched(rest.masses),
         x: state.x,
         v: state.v,
         gravity: scene.gravity,
@@ -241,8 +239,10 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         gaps: &mut *work.p,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
-    for gap in work.p.iter_mut().skip(soft) {
-        *gap = [0.0; 3];
+    if C::SOME {
+        let touched = contact.masses.len();
+        let untouched = work.p.get_mut(touched..).unwrap_or_default();
+        untouched.fill([0.0; 3]);
     }
     couplings.decide(&CoupleStep {
         scene,
@@ -547,24 +547,24 @@ fn search_along(system: &impl System, filter: &[Sym3<f32>], [v, r, p, q]: [&mut 
 }
 
 /// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.
-fn advance<L: Layout>(
+fn advance<L: Layout, C: Couple>(
     rest: &Rest<'_, L>,
     state: &StateMut<'_>,
     scene: &Scene<'_>,
     units: &Units,
     work: &mut WorkspaceMut<'_, L>,
-    couplings: &mut impl Couple,
+    couplings: &mut C,
 ) -> Option<u32> {
     let (h, theta) = (units.dt, units.theta);
     let old = state.x.iter().zip(&*state.v).zip(&*work.filter);
     let new = work.p.iter_mut().zip(&mut *work.v);
-    let soft = couplings.soft(rest.nodes.len());
+    let touched = couplings.touched(rest.masses).len();
     for (node, (((x, v), p), (x_new, v_new))) in old.zip(new).enumerate() {
         *v_new = v_new.map(|v| v * units.velocity);
         // The constrained part of v(t) is that of v⁺.
         let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
         *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
-        if node < soft {
+        if !C::SOME || node < touched {
             land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
         }
     }

@@ -61,8 +61,8 @@ pub(crate) trait Couple {
         scene: &Scene<'_>,
         settings: &Settings<'_>,
     ) -> Result<(), Refusal>;
-    /// Nodes before those of rigid bodies.
-    fn soft(&self, nodes: usize) -> usize;
+    /// What colliders touch by their nodes: all before those of rigid bodies.
+    fn touched<'a>(&self, masses: &'a [f32]) -> &'a [f32];
     /// Reads off where the rigid bodies are.
     fn locate(&mut self, x: &[[f32; 3]]);
     /// Finds and decides.
@@ -96,8 +96,9 @@ impl Couple for () {
     fn check(&self, _: usize, _: &Scene<'_>, _: &Settings<'_>) -> Result<(), Refusal> {
         Ok(())
     }
-    fn soft(&self, nodes: usize) -> usize {
-        nodes
+    #[inline(always)]
+    fn touched<'a>(&self, masses: &'a [f32]) -> &'a [f32] {
+        masses
     }
     fn locate(&mut self, _: &[[f32; 3]]) {}
     fn decide(&mut self, _: &CoupleStep<'_>) {}

@@ -74,6 +74,11 @@ impl<'a> Couplings<'a> {
         self.slots.get(self.links.len()..).unwrap_or_default()
     }
 
+    /// Nodes before those of rigid bodies.
+    fn soft(&self, nodes: usize) -> usize {
+        nodes.saturating_sub(4 * self.rigids.len())
+    }
+
     fn faults(
         &self,
         nodes: usize,
@@ -139,8 +144,8 @@ impl Couple for Couplings<'_> {
             .map_or(Ok(()), |fault| Err(Refusal::Coupling(fault)))
     }
 
-    fn soft(&self, nodes: usize) -> usize {
-        nodes.saturating_sub(4 * self.rigids.len())
+    fn touched<'b>(&self, masses: &'b [f32]) -> &'b [f32] {
+        masses.get(..self.soft(masses.len())).unwrap_or_default()
     }
 
     fn locate(&mut self, x: &[[f32; 3]]) {
@@ -151,11 +156,11 @@ impl Couple for Couplings<'_> {
 
     #[inline(never)]
     fn decide(&mut self, step: &CoupleStep<'_>) {
+        let soft = self.soft(step.masses.len());
         let (links, contacts) = self
             .slots
             .split_at_mut_checked(self.links.len())
             .unwrap_or_default();
-        let soft = step.masses.len().saturating_sub(4 * self.rigids.len());
         self.islands = Islands::new(self.pieces, self.rigids.len(), soft);
         for (slot, link) in links.iter_mut().zip(self.links) {
             *slot = link.decide(step, self.rigids);
