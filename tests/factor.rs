@@ -354,3 +354,44 @@ fn thinned_factors_are_smaller_and_still_guide() {
         assert!(residual < 0.2 * jacobi, "{residual:e}, Jacobi {jacobi:e}");
     }
 }
+
+/// What is dropped goes to a neighbour: the blocks of a column sum to what they summed to, each number rounded once.
+#[test]
+fn thinned_columns_keep_their_sums() {
+    let setup = scenes::cantilever();
+    let full = factor(&setup, Kind::Warped, Precision::Single);
+    let thin = factor_with(
+        &setup,
+        &FactorOptions {
+            fill: Some(full.rows().len() / 2),
+            held: setup.pins.iter().map(|pin| pin.0).collect(),
+            ..FactorOptions::default()
+        },
+    );
+    let mut moved = 0;
+    for j in 0..full.nodes() {
+        let ((count, sum, size), (few, thin_sum, thin_size)) = (column(full, j), column(thin, j));
+        if few == 0 {
+            continue;
+        }
+        moved += usize::from(few < count);
+        for k in 0..9 {
+            let rounding = f64::from(f32::EPSILON) * (size[k] + thin_size[k]);
+            assert!((sum[k] - thin_sum[k]).abs() <= rounding, "column {j}");
+        }
+    }
+    assert!(moved > full.nodes() / 2, "{moved} columns");
+}
+
+/// How many blocks column `j` of a warped factor has, their sum, and the sum of their magnitudes.
+fn column(factor: &Factor<'_>, j: usize) -> (usize, [f64; 9], [f64; 9]) {
+    let Entries::Warped { lower, .. } = factor.entries() else {
+        unreachable!("single precision was asked for")
+    };
+    let start = j.checked_sub(1).map_or(0, |i| factor.ends()[i] as usize);
+    let blocks = &lower[start..factor.ends()[j] as usize];
+    let total = |size: fn(f64) -> f64| {
+        std::array::from_fn(|k| blocks.iter().map(|block| size(f64::from(block[k]))).sum())
+    };
+    (blocks.len(), total(|x| x), total(f64::abs))
+}

@@ -139,15 +139,18 @@ fn assemble<L: Layout>(
     pairs.dedup_by(|next, sum| {
         let same = (next.0, next.1) == (sum.0, sum.1);
         if same {
-            for (row, next) in sum.2.iter_mut().zip(next.2) {
-                for (x, y) in row.iter_mut().zip(next) {
-                    *x += y;
-                }
-            }
+            add(&mut sum.2, &next.2);
         }
         same
     });
     NodeMatrix { diagonal, pairs }
+}
+
+/// a += b
+pub fn add(a: &mut Block, b: &Block) {
+    for (x, y) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
+        *x += y;
+    }
 }
 
 pub fn transpose(m: &Block) -> Block {
