@@ -1,7 +1,7 @@
 //! Speed against error, in one command:
 //!
 //! ```text
-//! cargo run --release -p femto-study [-- [--quick] [--out DIR] [--only CHAPTER]... | --publish]
+//! cargo run --release -p femto-study [-- [--quick] [--out DIR] [--only CHAPTER]... [--scene NAME]... | --publish]
 //! ```
 //!
 //! writes a folder with report.md, its plots (SVG and PNG) and its data (CSV); `--publish` renews the copy in
@@ -25,6 +25,7 @@ use clap::Parser;
 
 use chapters::{budget, closed, hard, models, paper, peers, spin};
 use output::{Done, Output};
+use problem::Problem;
 
 /// Speed against error: the study of Dahl and Bargteil redone, other methods at equal time, closed
 /// forms, hard cases.
@@ -37,11 +38,14 @@ struct Args {
     #[arg(long, default_value = "femto-study-out")]
     out: PathBuf,
     /// Writes the report (without data and PNGs) into the tree instead, and the library's page on budgets.
-    #[arg(long, conflicts_with_all = ["quick", "out", "only"])]
+    #[arg(long, conflicts_with_all = ["quick", "out", "only", "scene"])]
     publish: bool,
     /// Only these chapters.
     #[arg(long)]
     only: Vec<String>,
+    /// Of the paper's bodies only these (snowman, bowling pin, car).
+    #[arg(long)]
+    scene: Vec<String>,
 }
 
 /// How much to do, and where progress is told.
@@ -49,10 +53,26 @@ pub struct Run {
     pub quick: bool,
     /// Where the library's page on budgets goes.
     pub page: PathBuf,
+    scenes: Vec<String>,
     begin: Instant,
 }
 
 impl Run {
+    /// Those of the paper's bodies that are asked for.
+    pub fn bodies(&self) -> Result<Vec<Problem>, Box<dyn std::error::Error>> {
+        let mut all = problem::three()?;
+        let asked = |name| self.scenes.is_empty() || self.scenes.iter().any(|s| s == name);
+        if let Some(unknown) = self
+            .scenes
+            .iter()
+            .find(|s| all.iter().all(|p| p.name != **s))
+        {
+            return Err(format!("no scene {unknown}").into());
+        }
+        all.retain(|problem| asked(problem.name));
+        Ok(all)
+    }
+
     /// Tells where the run is.
     pub fn progress(&self, what: &str) {
         eprintln!("{:6.1} s  {what}", self.begin.elapsed().as_secs_f64());
@@ -106,6 +126,7 @@ fn study(args: &Args) -> Done {
         } else {
             dir.join("choosing.md")
         },
+        scenes: args.scene.clone(),
         begin: Instant::now(),
     };
     out.text("# Speed against error");

@@ -29,6 +29,9 @@ use femto::{Budget, Factor, Material, Mesh, Pin, Preconditioner, Scene, Settings
 use femto_bake::{FactorOptions, Kind, Precision};
 use femto_bench::clock::{self, Effort, Kernel};
 
+/// What the thinned factor drops.
+const THINNED: f64 = 0.005;
+
 struct Case {
     name: String,
     nodes: Vec<[f32; 3]>,
@@ -136,26 +139,33 @@ fn report(case: &Case) {
     let rest = rest.view();
     let settings = Settings::new(case.dt).expect("a good time step");
     let factors: Vec<_> = [
-        (Kind::Laplacian, Precision::Single),
-        (Kind::Warped, Precision::Single),
-        (Kind::Warped, Precision::Half),
+        (Kind::Laplacian, Precision::Single, 0.0),
+        (Kind::Warped, Precision::Single, 0.0),
+        (Kind::Warped, Precision::Half, 0.0),
+        (Kind::Warped, Precision::Single, THINNED),
     ]
     .into_iter()
-    .map(|(kind, precision)| {
-        let held = case.held.clone();
+    .map(|(kind, precision, drop)| {
         let options = FactorOptions {
             kind,
             precision,
-            held,
+            drop,
+            held: case.held.clone(),
             ..FactorOptions::default()
         };
         femto_bake::factor(&rest, &settings, &options).expect("a factor")
     })
     .collect();
     let factors: Vec<Factor> = factors.iter().map(|f| f.view()).collect();
-    let [laplacian, warped, half] = factors.as_slice() else {
+    let [laplacian, warped, half, thin] = factors.as_slice() else {
         unreachable!()
     };
+    let named = [
+        ("Laplacian", laplacian),
+        ("warped", warped),
+        ("warped f16", half),
+        ("warped, thinned", thin),
+    ];
     let apply = apply_time(&rest, &settings);
     println!(
         "\n## {}: {} nodes, {} tetrahedra; E = {:e}, nu = {}, h = {:.4}",
@@ -166,11 +176,7 @@ fn report(case: &Case) {
         case.poisson,
         case.dt
     );
-    for (name, factor) in [
-        ("Laplacian", laplacian),
-        ("warped", warped),
-        ("warped f16", half),
-    ] {
+    for (name, factor) in named {
         println!(
             "{name}: {} scalars, {} bytes, one application {:.2} K applies",
             factor.scalars(),
@@ -207,11 +213,7 @@ fn report(case: &Case) {
             iterations,
         });
     }
-    for (name, factor) in [
-        ("Laplacian", laplacian),
-        ("warped", warped),
-        ("warped f16", half),
-    ] {
+    for (name, factor) in named {
         for iterations in [1, 2, 3, 5] {
             methods.push(Method {
                 name,

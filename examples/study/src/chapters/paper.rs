@@ -8,7 +8,7 @@ use crate::method::Method;
 use crate::methods::ours::{Ours, PAPER, Solver, contender};
 use crate::output::{Done, Output, exact, short};
 use crate::plot::{Plot, Series};
-use crate::problem::{H, Problem, STEPS_PER_FRAME, three};
+use crate::problem::{H, Problem, STEPS_PER_FRAME};
 
 use super::parts;
 
@@ -164,7 +164,7 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
          diagonal; \"converged\" in the tables is theirs, r·r ≤ 1e-10 b·b. Times are ratios to the frame of five \
          iterations from v with Jacobi.",
     );
-    let mut problems = three()?;
+    let mut problems = study.bodies()?;
     if study.quick {
         problems.truncate(1);
         problems[0].steps = 20;

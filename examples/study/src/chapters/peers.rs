@@ -9,7 +9,7 @@ use crate::methods::{direct, explicit, ours, pipeline, projective, rapier, xpbd}
 use crate::output::{Done, Output, exact, short};
 use crate::pareto::{Metric, TO_CONVERGED, TO_TRUTH, best_at, common_times, front};
 use crate::plot::{Plot, Series};
-use crate::problem::{Problem, cantilever, free_bar, three};
+use crate::problem::{Problem, cantilever, free_bar};
 
 /// The two yardsticks.
 const METRICS: [(&str, &str, Metric); 2] = [
@@ -52,6 +52,15 @@ fn budgets(solver: ours::Solver, quick: bool, large: bool) -> &'static [(u32, u3
     }
 }
 
+/// More substeps, up to those of an explicit method, where the truth is aimed at.
+fn many_substeps(solver: ours::Solver, quick: bool) -> &'static [(u32, u32)] {
+    match (quick || solver.theta == 1.0, solver.is_factored()) {
+        (true, _) => &[],
+        (false, true) => &[(16, 1), (32, 1)],
+        (false, false) => &[(16, 3), (32, 3)],
+    }
+}
+
 /// Everything that runs on a scene.
 fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
     let large = problem.tets.len() > 10_000;
@@ -59,6 +68,7 @@ fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
     for solver in ours::SOLVERS {
         let each = |&(s, k): &(u32, u32)| ours::contender(solver, s, k, 1);
         all.extend(budgets(solver, quick, large).iter().map(each));
+        all.extend(many_substeps(solver, quick).iter().map(each));
     }
     for &s in if quick || large { &[1][..] } else { &[1, 2, 4] } {
         all.push(pipeline::contender(s, Stop::At(1e-10)));
@@ -88,7 +98,7 @@ fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
     all.extend(passes.iter().map(|&(s, k)| projective::contender(s, k)));
     let stable = explicit::stable_substeps(problem);
     all.push(explicit::contender(stable));
-    if !(quick || large) {
+    if !quick {
         all.push(explicit::contender(2 * stable));
     }
     let counts: &[usize] = if quick { &[5] } else { &[3, 5, 10, 20, 50] };
@@ -107,7 +117,7 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
          `2×5 it.` is two substeps of five iterations. All in f32; XPBD, Projective Dynamics and the explicit method use \
          femto's polar decomposition, the latter two its vectorised forces, too.",
     );
-    let mut problems = three()?;
+    let mut problems = study.bodies()?;
     if study.quick {
         problems.truncate(1);
         problems[0].steps = 30;

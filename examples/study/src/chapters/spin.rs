@@ -7,16 +7,17 @@ use femto::{Budget, Start};
 use crate::Run;
 use crate::measure::square;
 use crate::method::Method;
-use crate::methods::ours::{Ours, SOLVERS, Solver};
+use crate::methods::ours::{self, Ours, SOLVERS, Solver};
 use crate::output::{Done, Output, exact, short};
 use crate::plot::{Plot, Series};
 use crate::problem::{H, Problem, free_bar};
 
 /// As good as others that are here.
-const SKIPPED: [&str; 3] = [
+const SKIPPED: [&str; 4] = [
     "galerkin-3, jacobi",
     "galerkin-2, warped",
     "galerkin-1, warped in f16",
+    ours::THINNED_1.name,
 ];
 
 /// What five seconds did, relative to the start.
