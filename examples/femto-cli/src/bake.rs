@@ -44,7 +44,7 @@ pub struct Args {
     #[arg(long, value_enum)]
     precision: Option<Stored>,
 
-    /// Leave out entries of the factor that couple less than this
+    /// Leave out entries of the factor that couple less than this; 0.005 suits large bodies
     #[arg(long, value_name = "PART", allow_hyphen_values = true)]
     drop: Option<f64>,
 
