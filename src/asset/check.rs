@@ -66,15 +66,16 @@ fn check_blocks(rest: &Rest<'_>) -> Result<(), AssetError> {
     if tets == 0 || usize::try_from(tets).map(blocks) != Ok(rest.blocks.len()) {
         return Err(AssetError::Header(HeaderField::Tets));
     }
-    let lanes = rest
-        .blocks
-        .iter()
-        .flat_map(|block| (0..BLOCK).map(move |lane| Tet::of(block, lane)));
-    for (number, tet) in (0_u32..).zip(lanes) {
-        if number < tets {
-            tet.check(number, rest.nodes.len())?;
-        } else if !tet.is_zero() {
-            return Err(AssetError::Padding { tet: number });
+    let mut number = 0;
+    for block in rest.blocks {
+        for lane in 0..BLOCK {
+            let tet = Tet::of(block, lane);
+            if number < tets {
+                tet.check(number, rest.nodes.len())?;
+            } else if !tet.is_zero() {
+                return Err(AssetError::Padding { tet: number });
+            }
+            number += 1;
         }
     }
     Ok(())

@@ -239,6 +239,7 @@ impl<'a> Asset<'a> {
             found: header.factor,
         })?;
         let entries = match code {
+            _ if cfg!(not(feature = "factored")) => None,
             FactorCode::None => None,
             FactorCode::Warped => Some(Entries::Warped {
                 pivots: cast(pivots, Section::Pivots)?,
@@ -276,7 +277,7 @@ impl<'a> Asset<'a> {
                     .skip(5)
                     .zip([order, ends, rows, pivots, lower])
                 {
-                    if !part.is_empty() {
+                    if code == FactorCode::None && !part.is_empty() {
                         return Err(wrong_length(section));
                     }
                 }

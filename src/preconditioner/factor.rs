@@ -242,6 +242,7 @@ impl<'a> Factor<'a> {
     }
 
     /// z ← (L D Lᵀ)⁻¹ z, for one vector a node.
+    #[inline]
     pub fn solve(&self, z: &mut [[f32; 3]]) {
         // L y = r
         let mut start = 0;

@@ -87,14 +87,14 @@ impl<'a> Preconditioner<'a> {
     ) -> Prepared<'a> {
         let Room { blocks, coarse } = room;
         let coarse = match self {
-            Self::TwoLevel(aggregates) => Some(Coarse::new::<R, L>(
+            Self::TwoLevel(aggregates) if cfg!(feature = "two-level") => Some(Coarse::new::<R, L>(
                 aggregates, operator, x, filter, blocks, scratch, coarse,
             )),
             _ => None,
         };
         match self {
             Self::Factored(factor) => {
-                if factor.is_warped() {
+                if cfg!(feature = "factored") && factor.is_warped() {
                     warp::average_rotations::<R, L>(&operator.rest, rotations, blocks);
                 }
             }
@@ -137,12 +137,14 @@ impl<'a> Prepared<'a> {
     #[inline(always)]
     pub fn apply(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         match self.preconditioner {
-            Preconditioner::Factored(factor) => {
+            Preconditioner::Factored(factor) if cfg!(feature = "factored") => {
                 solve(factor, self.filter, self.blocks, r, z);
             }
             _ => multiply_blocks(z, self.blocks, r),
         }
-        if let Some(coarse) = &self.coarse {
+        if let Some(coarse) = &self.coarse
+            && cfg!(feature = "two-level")
+        {
             coarse.add(self.filter, r, z);
         }
     }
@@ -159,7 +161,7 @@ impl<'a> Prepared<'a> {
 }
 
 /// `z` = P R (L D Lᵀ)⁻¹ Rᵀ P r, where R are the nodes' rotations of a warped factor, else 1.
-#[inline(never)]
+#[inline]
 fn solve(
     factor: &Factor<'_>,
     filter: &[Sym3<f32>],
