@@ -224,8 +224,9 @@ impl StateHash {
     /// With one more body.
     #[must_use]
     pub fn with(mut self, x: &[[f32; 3]], v: &[[f32; 3]]) -> Self {
-        let bytes = x.iter().chain(v).flatten().flat_map(|c| c.to_le_bytes());
-        self.0 = fnv1a(self.0, bytes);
+        for numbers in [x, v] {
+            self.0 = fnv1a_of(self.0, numbers.as_flattened());
+        }
         self
     }
 
@@ -264,8 +265,15 @@ impl Default for StateHash {
 pub(crate) const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 
 /// 64-bit FNV-1a, gone on with.
-pub(crate) fn fnv1a(start: u64, bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(start, |hash, byte| {
+pub(crate) fn fnv1a(start: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
+    bytes.into_iter().fold(start, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
+}
+
+/// The same over the little-endian bytes of numbers. (Flattened iterators would be longer code.)
+pub(crate) fn fnv1a_of(start: u64, numbers: &[f32]) -> u64 {
+    numbers
+        .iter()
+        .fold(start, |hash, x| fnv1a(hash, x.to_le_bytes()))
 }

@@ -227,3 +227,13 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
         }
     }
 }
+
+/// [`fit_rotations`] from nothing, of which a binary needs one.
+#[inline(never)]
+pub(crate) fn fit_cold<R: Lanes, L: Layout>(
+    rest: &Rest<'_, L>,
+    x: &[[f32; 3]],
+    rotations: &mut [RotationBlock],
+) {
+    fit_rotations::<R, L>(rest, x, Fit::Cold, rotations);
+}

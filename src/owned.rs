@@ -13,7 +13,7 @@ use crate::fracture::BrokenBlock;
 use crate::lane::{BLOCK, Native, blocks};
 use crate::material::Materials;
 use crate::mesh::{Mesh, MeshError, shape};
-use crate::operator::{Fit, RotationBlock, fit_rotations};
+use crate::operator::{RotationBlock, fit_cold};
 #[cfg(feature = "plasticity")]
 use crate::plasticity::PlasticBlock;
 use crate::rest::{self, Header, Rest, RestMut, TetBlock, to_f32};
@@ -129,7 +129,7 @@ impl OwnedState {
     pub fn new<L: Layout>(rest: &Rest<'_, L>, needs: impl Into<Needs>) -> Self {
         let (nodes, needs) = (rest.nodes.len(), needs.into());
         let mut rotations = vec![RotationBlock::ZERO; rest.blocks.len()];
-        fit_rotations::<Native, L>(rest, rest.nodes, Fit::Cold, &mut rotations);
+        fit_cold::<Native, L>(rest, rest.nodes, &mut rotations);
         Self {
             x: rest.nodes.to_vec(),
             v: vec![[0.0; 3]; nodes],

@@ -4,7 +4,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use crate::element::{Factored, Layout};
-use crate::energy::{FNV_START, fnv1a};
+use crate::energy::{FNV_START, fnv1a, fnv1a_of};
 use crate::lane::{BLOCK, blocks};
 use crate::material::{Material, Materials};
 use crate::math::power_of_two_below;
@@ -87,6 +87,22 @@ pub struct Rest<'a, L: Layout = Factored> {
     pub header: Header,
 }
 
+/// What passes over nodes read: of one type, whatever the layout, so that a binary has them once.
+#[derive(Clone, Copy)]
+pub(crate) struct Points<'a> {
+    pub masses: &'a [f32],
+    pub header: &'a Header,
+}
+
+impl<L: Layout> Rest<'_, L> {
+    pub(crate) fn points(&self) -> Points<'_> {
+        Points {
+            masses: self.masses,
+            header: &self.header,
+        }
+    }
+}
+
 impl<L: Layout> Clone for Rest<'_, L> {
     fn clone(&self) -> Self {
         *self
@@ -98,12 +114,10 @@ impl<L: Layout> Copy for Rest<'_, L> {}
 impl<L: Layout> Rest<'_, L> {
     /// The four node numbers of every tetrahedron, without padding.
     pub fn tets(&self) -> impl Iterator<Item = [u32; 4]> {
-        let lanes = |block: &TetBlock| {
-            let corners = block.corners;
-            (0..BLOCK).map(move |lane| corners.map(|corner| corner[lane % BLOCK]))
-        };
-        let all = self.blocks.iter().flat_map(lanes);
-        all.take(self.header.tets as usize)
+        (0..self.header.tets as usize).map_while(|tet| {
+            let block = self.blocks.get(tet / BLOCK)?;
+            Some(block.corners.map(|corner| corner[tet % BLOCK]))
+        })
     }
 }
 
@@ -266,9 +280,13 @@ pub(crate) fn fill<L: Layout>(
 
 /// 64-bit FNV-1a over the bytes of the nodes' coordinates, then the tetrahedra's corners.
 pub(crate) fn fingerprint(nodes: &[[f32; 3]], tets: impl Iterator<Item = [u32; 4]>) -> u64 {
-    let nodes = nodes.as_flattened().iter().map(|x| x.to_le_bytes());
-    let corners = tets.flatten().map(|i| i.to_le_bytes());
-    fnv1a(FNV_START, nodes.chain(corners).flatten())
+    let mut hash = fnv1a_of(FNV_START, nodes.as_flattened());
+    for corners in tets {
+        for corner in corners {
+            hash = fnv1a(hash, corner.to_le_bytes());
+        }
+    }
+    hash
 }
 
 /// Bytes of rest data.

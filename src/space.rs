@@ -5,7 +5,7 @@ use crate::body::StateMut;
 use crate::cg::System;
 use crate::element::{Layout, Sym3};
 use crate::math::{Mask, ratio_or_zero, select, sqrt};
-use crate::rest::Rest;
+use crate::rest::{Points, Rest};
 use crate::scene::Scene;
 use crate::settings::Start;
 use crate::step::Units;
@@ -81,7 +81,7 @@ impl Translate for Translations<'_> {
         units: &Units,
         v: &mut [[f32; 3]],
     ) {
-        keep_momentum(rest, before, scene, units, self.per_mass > 0.0, v);
+        keep_momentum(rest.points(), before, scene, units, self.per_mass > 0.0, v);
     }
 }
 
@@ -215,8 +215,8 @@ fn remove(vectors: &[[f32; 3]], products: &[[f32; 3]], nodes: usize, z: &mut [[f
 
 /// Writes the stored vectors of W: the velocities v(t), v(t−h), …, then the rotations about the centre
 /// of mass, or of the pinned nodes; filtered.
-pub(crate) fn fill_space<L: Layout>(
-    rest: &Rest<'_, L>,
+pub(crate) fn fill_space(
+    rest: Points<'_>,
     state: &StateMut<'_>,
     scene: &Scene<'_>,
     start: Start,
@@ -225,7 +225,7 @@ pub(crate) fn fill_space<L: Layout>(
     vectors: &mut [[f32; 3]],
 ) {
     // At least 1: see `pairs`.
-    let nodes = rest.nodes.len().max(1);
+    let nodes = rest.masses.len().max(1);
     let (velocities, rotations) = match start {
         Start::Galerkin(m) => (usize::from(m), false),
         Start::Rigid(m) => (usize::from(m), true),
@@ -256,7 +256,7 @@ pub(crate) fn fill_space<L: Layout>(
 }
 
 /// The centre of mass, or the middle of the pinned nodes.
-fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>) -> [f32; 3] {
+fn pivot(rest: Points<'_>, state: &StateMut<'_>, scene: &Scene<'_>) -> [f32; 3] {
     if scene.pins.is_empty() {
         return momentum(rest.masses, state.x).map(|sum| sum / rest.header.total_mass);
     }
@@ -277,8 +277,8 @@ fn pivot<L: Layout>(rest: &Rest<'_, L>, state: &StateMut<'_>, scene: &Scene<'_>)
 /// Gives a free body the linear momentum that its external forces leave it, to rounding:
 /// (1 + θhα) Σ m v⁺ = (1 − (1−θ)hα) Σ m v + h Σ f_external. W has the translations, so the solve gave it
 /// already, but for the rounding of elastic forces that cancel.
-fn keep_momentum<L: Layout>(
-    rest: &Rest<'_, L>,
+fn keep_momentum(
+    rest: Points<'_>,
     before: &[[f32; 3]],
     scene: &Scene<'_>,
     units: &Units,

@@ -6,7 +6,7 @@ use crate::element::Layout;
 use crate::fracture::BrokenBlock;
 use crate::lane::{BLOCK, Native};
 use crate::mesh::MeshError;
-use crate::operator::{Fit, RotationBlock, fit_rotations};
+use crate::operator::{RotationBlock, fit_cold};
 #[cfg(feature = "plasticity")]
 use crate::plasticity::PlasticBlock;
 use crate::rest::Rest;
@@ -183,7 +183,7 @@ impl StateMut<'_> {
     /// As if it had always been at x: all but x and v.
     fn renew<L: Layout>(&mut self, rest: &Rest<'_, L>) {
         self.history.fill([0.0; 3]);
-        fit_rotations::<Native, L>(rest, self.x, Fit::Cold, self.rotations);
+        fit_cold::<Native, L>(rest, self.x, self.rotations);
         #[cfg(feature = "plasticity")]
         self.plastic.fill(PlasticBlock::ZERO);
         #[cfg(feature = "fracture")]

@@ -33,7 +33,7 @@ use crate::math::{power_of_two_below, ratio_or_zero, select, sqrt};
 use crate::operator::{Fit, Operator, fit_rotations};
 use crate::preconditioner::{Preconditioner, Prepared, Room};
 pub use crate::report::{Refusal, StepReport};
-use crate::rest::Rest;
+use crate::rest::{Points, Rest};
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translate, fill_space};
@@ -194,7 +194,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     let nodes = rest.nodes.len();
 
     // b = M v + h f
-    external_impulses(rest, state, scene, &units, work.r);
+    external_impulses(rest.points(), state, scene, &units, work.r);
     inelastic::rotate_state::<R, L>(rest, state, units.dt / units.impulse, work.rotated, work.r);
 
     let [mass, stiffness] = units.system;
@@ -297,7 +297,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     }
     match settings.start {
         Start::Velocity => add_free(state.v, work.filter, &units, work.v),
-        Start::VelocityForce => add_explicit(rest, work.r, work.filter, &units, work.v),
+        Start::VelocityForce => add_explicit(rest.points(), work.r, work.filter, &units, work.v),
         Start::Zero | Start::Galerkin(_) | Start::Rigid(_) => {}
     }
     if units.theta < 1.0 {
@@ -332,7 +332,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     });
     let stored = settings.start.vectors() * nodes;
     fill_space(
-        rest,
+        rest.points(),
         state,
         scene,
         settings.start,
@@ -474,8 +474,8 @@ fn check<L: Layout>(
 }
 
 /// `out` = M v + h f_external
-fn external_impulses<L: Layout>(
-    rest: &Rest<'_, L>,
+fn external_impulses(
+    rest: Points<'_>,
     state: &StateMut<'_>,
     scene: &Scene<'_>,
     units: &Units,
@@ -506,8 +506,8 @@ fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32
 }
 
 /// `out` += P M⁻¹b, where M⁻¹b = v + hM⁻¹f
-fn add_explicit<L: Layout>(
-    rest: &Rest<'_, L>,
+fn add_explicit(
+    rest: Points<'_>,
     rhs: &[[f32; 3]],
     filter: &[Sym3<f32>],
     units: &Units,
