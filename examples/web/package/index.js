@@ -99,14 +99,12 @@ class Femto {
 /** Something that the module keeps until it is freed. */
 class Kept {
   #handle;
-  #free;
   memory;
 
-  /** @param {Memory} memory @param {number} handle @param {string} free */
-  constructor(memory, handle, free) {
+  /** @param {Memory} memory @param {number} handle */
+  constructor(memory, handle) {
     this.memory = memory;
     this.#handle = memory.accepted(handle);
-    this.#free = free;
   }
 
   get handle() {
@@ -115,7 +113,7 @@ class Kept {
   }
 
   free() {
-    if (this.#handle !== 0) this.memory.exports[this.#free](this.#handle);
+    if (this.#handle !== 0) this.memory.exports.free(this.#handle);
     this.#handle = 0;
   }
 }
@@ -123,7 +121,7 @@ class Kept {
 class Asset extends Kept {
   /** @param {Memory} memory @param {number} handle */
   constructor(memory, handle) {
-    super(memory, handle, 'asset_free');
+    super(memory, handle);
     memory.accepted(memory.exports.asset_info(handle));
     const [nodes, tets, pins, factor, bytes, young, poisson, density, alpha, beta, dt, theta, iterations, sweeps, start] =
       memory.numbers(15);
@@ -156,7 +154,7 @@ class Asset extends Kept {
 class Snapshot extends Kept {
   /** @param {Memory} memory @param {number} handle */
   constructor(memory, handle) {
-    super(memory, handle, 'snapshot_free');
+    super(memory, handle);
   }
 }
 
@@ -168,7 +166,7 @@ class Body extends Kept {
 
   /** @param {Memory} memory @param {number} handle */
   constructor(memory, handle) {
-    super(memory, handle, 'body_free');
+    super(memory, handle);
     this.#asset = new Asset(memory, memory.exports.body_asset(handle));
     this.#settings = { ...this.#asset.settings, preconditioner: 'jacobi' };
     this.configure({});

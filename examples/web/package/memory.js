@@ -1,5 +1,7 @@
 // What every object of the module shares: its exports, its memory, and how it refuses.
 
+import { FAULTS } from './faults.js';
+
 /** What the module says no to. The module is as usable as before. */
 export class FemtoError extends Error {
   name = 'FemtoError';
@@ -42,7 +44,6 @@ export class Memory {
   constructor(instance) {
     this.exports = /** @type {Record<string, any>} */ (instance.exports);
     this.buffer = /** @type {ArrayBuffer} */ (this.exports.memory.buffer);
-    this.decoder = new TextDecoder();
   }
 
   /** The memory as it is now: growing it detaches the old buffer. */
@@ -53,8 +54,9 @@ export class Memory {
 
   /** Why the last call was refused. */
   reason() {
-    const { message, message_length, message_number } = this.exports;
-    const text = this.decoder.decode(new Uint8Array(this.bytes, message(), message_length()));
+    const { message, message_number } = this.exports;
+    const code = message() >>> 0;
+    const text = FAULTS.get(code) ?? `refused for a reason of another version (${code})`;
     return text.replace(/\{([01])\}/g, (_, which) => String(Number(message_number(+which).toPrecision(7))));
   }
 

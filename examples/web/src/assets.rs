@@ -1,34 +1,21 @@
 //! Exports: assets.
 
-use alloc::rc::Rc;
-
 use femto::asset::AssetBytes;
 
-use crate::fault::Fault;
-use crate::loaded::{self, Loaded};
-use crate::world::{Chunk, World, with};
-use crate::{GONE, answer, body, refuse};
+use crate::fault::fault;
+use crate::world::{Kept, address, call};
+use crate::{body, loaded};
 
 /// An asset of the first `bytes` bytes of the input.
 #[unsafe(no_mangle)]
 extern "C" fn asset_load(bytes: usize) -> u32 {
-    with(|world| {
+    call(&mut |world| {
         let input = world.take_input();
         let all: &[u8] = bytemuck::cast_slice(&input);
-        let asset = loaded::load(AssetBytes::copy_from(all.get(..bytes).unwrap_or_default()));
+        let asset = loaded::load(AssetBytes::copy_from(all.get(..bytes).unwrap_or_default()))?;
         drop(input);
-        keep_asset(world, asset)
+        world.keep(Kept::Asset(asset))
     })
-}
-
-pub fn keep_asset(world: &mut World, asset: Result<Rc<Loaded>, Fault>) -> u32 {
-    let kept = asset.and_then(|asset| {
-        world
-            .assets
-            .keep(asset)
-            .ok_or_else(|| "too many assets".into())
-    });
-    answer(world, kept)
 }
 
 /// An asset of a mesh: the input is `nodes` × 3 f32 metres, then `tets` × 4 u32.
@@ -43,23 +30,21 @@ extern "C" fn asset_of_mesh(
     alpha: f32,
     beta: f32,
 ) -> u32 {
-    with(|world| {
+    call(&mut |world| {
         let input = world.take_input();
         let words: &[u32] = bytemuck::cast_slice(&input);
         let parts = nodes.checked_mul(3).and_then(|n| words.split_at_checked(n));
-        let made = parts
+        let (x, corners) = parts
             .and_then(|(x, corners)| {
                 Some((
                     crate::bodies::vectors(bytemuck::cast_slice(x), nodes)?,
                     corners.as_chunks().0.get(..tets)?,
                 ))
             })
-            .ok_or_else(|| Fault::new("nodes and tets are longer than the input"))
-            .and_then(|(x, corners)| {
-                loaded::of_mesh(x, corners, [young, poisson, density, alpha, beta])
-            });
+            .ok_or(fault!("nodes and tets are longer than the input"))?;
+        let made = loaded::of_mesh(x, corners, [young, poisson, density, alpha, beta])?;
         drop(input);
-        keep_asset(world, made)
+        world.keep(Kept::Asset(made))
     })
 }
 
@@ -74,32 +59,20 @@ extern "C" fn asset_of_material(
     alpha: f32,
     beta: f32,
 ) -> u32 {
-    with(|world| {
-        let made = match world.assets.get(asset) {
-            Some(asset) => loaded::of_other_material(
-                asset.borrow_dependent(),
-                [young, poisson, density, alpha, beta],
-            ),
-            None => Err(GONE.into()),
-        };
-        keep_asset(world, made)
+    call(&mut |world| {
+        let asset = world.asset(asset)?;
+        let numbers = [young, poisson, density, alpha, beta];
+        let made = loaded::of_other_material(asset.borrow_dependent(), numbers)?;
+        world.keep(Kept::Asset(made))
     })
-}
-
-/// Forgets an asset; bodies that use it keep it.
-#[unsafe(no_mangle)]
-extern "C" fn asset_free(asset: u32) -> u32 {
-    with(|world| u32::from(world.assets.free(asset)))
 }
 
 /// What an asset holds, as numbers: nodes, tetrahedra, pins, factor (0 none, 1 warped, 2 Laplacian), bytes;
 /// E, ν, ρ, α, β; time step, θ, iterations, sweeps; start, as [`Choice`] has it.
 #[unsafe(no_mangle)]
 extern "C" fn asset_info(asset: u32) -> u32 {
-    with(|world| {
-        let Some(loaded) = world.assets.get(asset) else {
-            return refuse(world, GONE);
-        };
+    call(&mut |world| {
+        let loaded = world.asset(asset)?;
         let (bytes, asset) = (loaded.borrow_owner().len(), loaded.borrow_dependent());
         let (material, settings) = (&asset.metadata.material, &asset.metadata.settings);
         let factor = asset
@@ -122,30 +95,24 @@ extern "C" fn asset_info(asset: u32) -> u32 {
             settings.budget.polar_sweeps.into(),
             body::code_of(settings.start).into(),
         ];
-        for (to, from) in world.numbers.iter_mut().zip(numbers) {
-            *to = from;
-        }
-        1
+        world.numbers(numbers);
+        Ok(1)
     })
 }
 
 /// The corners of an asset's tetrahedra, four u32 each, into the input room: returns where.
 #[unsafe(no_mangle)]
-extern "C" fn asset_tets(asset: u32) -> *const Chunk {
-    with(|world| {
-        let Some(asset) = world.assets.get(asset).cloned() else {
-            refuse(world, GONE);
-            return core::ptr::null();
-        };
+extern "C" fn asset_tets(asset: u32) -> u32 {
+    call(&mut |world| {
+        let asset = world.asset(asset)?;
         let rest = asset.borrow_dependent().rest;
-        let Some(room) = world.room(rest.header.tets as usize * size_of::<[u32; 4]>()) else {
-            refuse(world, "no memory");
-            return core::ptr::null();
-        };
+        let room = world
+            .room(rest.header.tets as usize * size_of::<[u32; 4]>())
+            .ok_or(fault!("no memory"))?;
         let words: &mut [u32] = bytemuck::cast_slice_mut(room);
         for (to, from) in words.as_chunks_mut().0.iter_mut().zip(rest.tets()) {
             *to = from;
         }
-        room.as_ptr()
+        Ok(address(room.as_ptr()))
     })
 }

@@ -1,15 +1,15 @@
 //! Exports: bodies and their snapshots.
 
+use alloc::boxed::Box;
+use alloc::rc::Rc;
 use alloc::vec::Vec;
 
 use femto::glam::Vec3;
 use femto::{Collider, Pin};
 
-use crate::assets::keep_asset;
 use crate::body::{Body, Choice};
-use crate::fault::Fault;
-use crate::world::{Chunk, with};
-use crate::{GONE, answer, refuse};
+use crate::fault::{Fault, fault};
+use crate::world::{Chunk, Kept, address, call, with};
 
 /// The input as numbers: as many as fit in what was asked for.
 fn floats(chunks: &[Chunk]) -> &[f32] {
@@ -23,51 +23,39 @@ pub fn vectors(numbers: &[f32], count: usize) -> Option<&[[f32; 3]]> {
 /// A body at rest in its rest shape, with the asset's pins and settings.
 #[unsafe(no_mangle)]
 extern "C" fn body_new(asset: u32) -> u32 {
-    with(|world| match world.assets.get(asset) {
-        Some(asset) => {
-            let body = Body::new(asset.clone());
-            let kept = world.bodies.keep(body).ok_or("too many bodies");
-            answer(world, kept)
-        }
-        None => refuse(world, GONE),
+    call(&mut |world| {
+        let body = Body::new(world.asset(asset)?);
+        world.keep(Kept::Body(Box::new(body)))
     })
 }
 
 /// A further handle of the asset that a body uses.
 #[unsafe(no_mangle)]
 extern "C" fn body_asset(body: u32) -> u32 {
-    with(|world| {
-        let asset = match world.bodies.get(body) {
-            Some(body) => Ok(body.loaded().clone()),
-            None => Err(GONE.into()),
-        };
-        keep_asset(world, asset)
+    call(&mut |world| {
+        let asset = world.body(body)?.loaded().clone();
+        world.keep(Kept::Asset(asset))
     })
 }
 
-/// Forgets a body.
-#[unsafe(no_mangle)]
-extern "C" fn body_free(body: u32) -> u32 {
-    with(|world| u32::from(world.bodies.free(body)))
-}
+/// What is done with a body and the input.
+type OnBody<'a> = dyn FnMut(&mut Body, &[Chunk]) -> Result<(), Fault> + 'a;
 
 /// Does something with a body; 1, or 0 and a reason.
-fn on_body(handle: u32, call: impl FnOnce(&mut Body, &[Chunk]) -> Result<(), Fault>) -> u32 {
-    with(|world| {
+fn on_body(handle: u32, what: &mut OnBody<'_>) -> u32 {
+    call(&mut |world| {
         let input = world.take_input();
-        let result = match world.bodies.get(handle) {
-            Some(body) => call(body, &input).map(|()| 1),
-            None => Err(GONE.into()),
-        };
-        answer(world, result)
+        what(world.body(handle)?, &input).map(|()| 1)
     })
 }
 
 /// Goes on with another asset of the same mesh.
 #[unsafe(no_mangle)]
 extern "C" fn body_use(body: u32, asset: u32) -> u32 {
-    let asset = with(|world| world.assets.get(asset).cloned());
-    on_body(body, |body, _| body.use_asset(asset.ok_or(GONE)?))
+    call(&mut |world| {
+        let asset = world.asset(asset)?;
+        world.body(body)?.use_asset(asset).map(|()| 1)
+    })
 }
 
 /// Settings; start and preconditioner as [`Choice`] has them.
@@ -81,7 +69,7 @@ extern "C" fn body_settings(
     start: u32,
     preconditioner: u32,
 ) -> u32 {
-    on_body(body, |body, _| {
+    on_body(body, &mut |body, _| {
         body.set(Choice::new(
             dt,
             theta,
@@ -93,10 +81,10 @@ extern "C" fn body_settings(
 /// Gravity in m/s².
 #[unsafe(no_mangle)]
 extern "C" fn body_gravity(body: u32, x: f32, y: f32, z: f32) -> u32 {
-    on_body(body, |body, _| {
+    on_body(body, &mut |body, _| {
         let gravity = Vec3::new(x, y, z);
         if !gravity.is_finite() {
-            return Err("gravity must be finite".into());
+            return Err(fault!("gravity must be finite"));
         }
         body.gravity = gravity;
         Ok(())
@@ -106,21 +94,23 @@ extern "C" fn body_gravity(body: u32, x: f32, y: f32, z: f32) -> u32 {
 /// Pins: the input is `count` times a node as u32 and a velocity as 3 f32.
 #[unsafe(no_mangle)]
 extern "C" fn body_pins(body: u32, count: usize) -> u32 {
-    on_body(body, |body, input| {
+    on_body(body, &mut |body, input| {
         let pins: &[Pin] = bytemuck::cast_slice(input);
-        let pins = pins.get(..count).ok_or("more pins than input")?;
+        let pins = pins.get(..count).ok_or(fault!("more pins than input"))?;
         let nodes = body.asset().rest.nodes.len();
         for pin in pins {
             if pin.node as usize >= nodes {
-                return Err(Fault::of(
+                return Err(fault!(
                     "a pin names node {0}, the body has {1}",
-                    [pin.node.into(), nodes as f64],
+                    pin.node,
+                    nodes
                 ));
             }
             if !pin.velocity.is_finite() {
-                return Err(Fault::of(
+                return Err(fault!(
                     "the velocity of the pin at node {0} must be finite",
-                    [pin.node.into(), 0.0],
+                    pin.node,
+                    0.0
                 ));
             }
         }
@@ -134,11 +124,11 @@ extern "C" fn body_pins(body: u32, count: usize) -> u32 {
 /// sphere with centre and radius; friction; velocity.
 #[unsafe(no_mangle)]
 extern "C" fn body_colliders(body: u32, count: usize) -> u32 {
-    on_body(body, |body, input| {
+    on_body(body, &mut |body, input| {
         let rows = floats(input).as_chunks().0.get(..count);
         let mut colliders = Vec::with_capacity(count.min(64));
         for &[kind, x, y, z, size, friction, vx, vy, vz] in
-            rows.ok_or("more colliders than input")?
+            rows.ok_or(fault!("more colliders than input"))?
         {
             let (at, velocity) = (Vec3::new(x, y, z), Vec3::new(vx, vy, vz));
             let shape = if kind == 0.0 {
@@ -158,22 +148,19 @@ extern "C" fn body_colliders(body: u32, count: usize) -> u32 {
 
 /// Where the body's forces on its nodes are to be written, 3 f32 a node in newtons; zeros at first.
 #[unsafe(no_mangle)]
-extern "C" fn body_forces(body: u32) -> *mut [f32; 3] {
-    with(|world| {
-        let Some(body) = world.bodies.get(body) else {
-            refuse(world, GONE);
-            return core::ptr::null_mut();
-        };
+extern "C" fn body_forces(body: u32) -> u32 {
+    call(&mut |world| {
+        let body = world.body(body)?;
         let nodes = body.asset().rest.nodes.len();
         body.forces.resize(nodes, [0.0; 3]);
-        body.forces.as_mut_ptr()
+        Ok(address(body.forces.as_ptr()))
     })
 }
 
 /// No forces.
 #[unsafe(no_mangle)]
 extern "C" fn body_no_forces(body: u32) -> u32 {
-    on_body(body, |body, _| {
+    on_body(body, &mut |body, _| {
         body.forces = Vec::new();
         Ok(())
     })
@@ -182,13 +169,13 @@ extern "C" fn body_no_forces(body: u32) -> u32 {
 /// Places a body: the input is `nodes` positions, then as many velocities.
 #[unsafe(no_mangle)]
 extern "C" fn body_place(body: u32, nodes: usize) -> u32 {
-    on_body(body, |body, input| {
+    on_body(body, &mut |body, input| {
         let numbers = floats(input);
         let (x, v) = nodes
             .checked_mul(3)
             .and_then(|n| numbers.split_at_checked(n))
             .and_then(|(x, v)| Some((vectors(x, nodes)?, vectors(v, nodes)?)))
-            .ok_or("fewer numbers than nodes need")?;
+            .ok_or(fault!("fewer numbers than nodes need"))?;
         body.place(x, v)
     })
 }
@@ -197,116 +184,76 @@ extern "C" fn body_place(body: u32, nodes: usize) -> u32 {
 /// ‖b − Av‖ before and after, updates, contacts of the last.
 #[unsafe(no_mangle)]
 extern "C" fn body_step(body: u32, count: u32) -> u32 {
-    with(|world| {
-        world.fault = Fault::new("");
-        let Some(body) = world.bodies.get(body) else {
-            return refuse(world, GONE);
-        };
+    call(&mut |world| {
+        world.fault = Fault::NONE;
         for taken in 0..count {
-            let why = match body.step() {
-                Ok(report) => {
-                    let Some(refusal) = report.refusal else {
-                        let numbers = [
-                            report.rhs.into(),
-                            report.residual_before.into(),
-                            report.residual_after.into(),
-                            report.updates.into(),
-                            report.contacts.into(),
-                        ];
-                        for (to, from) in world.numbers.iter_mut().zip(numbers) {
-                            *to = from;
-                        }
-                        continue;
-                    };
-                    refusal.into()
+            let step = world.body(body)?.step();
+            let report = match step {
+                Ok(report) => report,
+                Err(why) => {
+                    world.fault = why;
+                    return Ok(taken);
                 }
-                Err(why) => why,
             };
-            world.fault = why;
-            return taken;
+            if let Some(refusal) = report.refusal {
+                world.fault = refusal.into();
+                return Ok(taken);
+            }
+            world.numbers([
+                report.rhs.into(),
+                report.residual_before.into(),
+                report.residual_after.into(),
+                report.updates.into(),
+                report.contacts.into(),
+            ]);
         }
-        count
+        Ok(count)
     })
 }
 
 /// Where the positions are, 3 f32 a node in metres.
 #[unsafe(no_mangle)]
-extern "C" fn body_positions(body: u32) -> *const [f32; 3] {
-    state_of(body, |body| body.state().x.as_ptr())
+extern "C" fn body_positions(body: u32) -> u32 {
+    call(&mut |world| Ok(address(world.body(body)?.state().x.as_ptr())))
 }
 
 /// Where the velocities are, 3 f32 a node in m/s.
 #[unsafe(no_mangle)]
-extern "C" fn body_velocities(body: u32) -> *const [f32; 3] {
-    state_of(body, |body| body.state().v.as_ptr())
-}
-
-fn state_of(body: u32, pointer: impl FnOnce(&Body) -> *const [f32; 3]) -> *const [f32; 3] {
-    with(|world| match world.bodies.get(body) {
-        Some(body) => pointer(body),
-        None => {
-            refuse(world, GONE);
-            core::ptr::null()
-        }
-    })
+extern "C" fn body_velocities(body: u32) -> u32 {
+    call(&mut |world| Ok(address(world.body(body)?.state().v.as_ptr())))
 }
 
 /// The state hash; 0 where there is no such body.
 #[unsafe(no_mangle)]
 extern "C" fn body_hash(body: u32) -> u64 {
-    with(|world| match world.bodies.get(body) {
-        Some(body) => body.hash(),
-        None => {
-            refuse(world, GONE);
-            0
-        }
-    })
+    with(|world| world.body(body).map_or(0, |body| body.hash()))
 }
 
 /// Numbers: kinetic, elastic, potential energy; linear and angular momentum; the smallest det F.
 #[cfg(feature = "measures")]
 #[unsafe(no_mangle)]
 extern "C" fn body_measure(body: u32) -> u32 {
-    with(|world| {
-        let Some(body) = world.bodies.get(body) else {
-            return refuse(world, GONE);
-        };
-        let measured = body.measure();
-        for (to, from) in world.numbers.iter_mut().zip(measured) {
-            *to = from;
-        }
-        1
+    call(&mut |world| {
+        let measured = world.body(body)?.measure();
+        world.numbers(measured);
+        Ok(1)
     })
 }
 
 /// Keeps a copy of the state.
 #[unsafe(no_mangle)]
 extern "C" fn body_save(body: u32) -> u32 {
-    with(
-        |world| match world.bodies.get(body).map(|body| body.save()) {
-            Some(saved) => {
-                let kept = world.snapshots.keep(saved).ok_or("too many snapshots");
-                answer(world, kept)
-            }
-            None => refuse(world, GONE),
-        },
-    )
+    call(&mut |world| {
+        let saved = world.body(body)?.save();
+        world.keep(Kept::Snapshot(Rc::new(saved)))
+    })
 }
 
 /// Takes a kept state back.
 #[unsafe(no_mangle)]
 extern "C" fn body_restore(body: u32, snapshot: u32) -> u32 {
-    with(|world| {
-        let result = match (world.bodies.get(body), world.snapshots.get(snapshot)) {
-            (Some(body), Some(saved)) => body.restore(saved).map(|()| 1),
-            _ => Err(GONE.into()),
-        };
-        answer(world, result)
+    call(&mut |world| {
+        let saved = world.snapshot(snapshot)?;
+        world.body(body)?.restore(&saved).map(|()| 1)
     })
-}
-
-/// Forgets a kept state.
-#[unsafe(no_mangle)]
-extern "C" fn snapshot_free(snapshot: u32) -> u32 {
-    with(|world| u32::from(world.snapshots.free(snapshot)))
 }

@@ -4,19 +4,18 @@ use alloc::rc::Rc;
 use alloc::vec::Vec;
 
 use femto::body::StateRef;
-use femto::element::Factored;
 use femto::energy::StateHash;
 use femto::glam::Vec3;
-use femto::lane::Native;
 use femto::owned::{OwnedState, OwnedWorkspace};
 #[cfg(feature = "two-level")]
 use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::rest::Rest;
 use femto::settings::Needs;
-use femto::step::step;
 use femto::{Asset, Budget, Collider, Pin, Preconditioner, Scene, Settings, Start, StepReport};
 
-use crate::fault::Fault;
+use femto_web_step::step;
+
+use crate::fault::{Fault, fault};
 use crate::loaded::Loaded;
 
 /// Iterations, and sweeps, of a step at most: more would look to a page like a hang.
@@ -41,12 +40,15 @@ impl Choice {
         theta: f32,
         [iterations, polar_sweeps, start, preconditioner]: [u32; 4],
     ) -> Result<Self, Fault> {
-        let refuse = |text, value: u32| Err(Fault::of(text, [value.into(), MOST.into()]));
         if iterations > MOST {
-            return refuse("iterations {0} must be at most {1}", iterations);
+            return Err(fault!(
+                "iterations {0} must be at most {1}",
+                iterations,
+                MOST
+            ));
         }
         if polar_sweeps > MOST {
-            return refuse("sweeps {0} must be at most {1}", polar_sweeps);
+            return Err(fault!("sweeps {0} must be at most {1}", polar_sweeps, MOST));
         }
         let settings = Settings::new(dt)
             .and_then(|settings| settings.with_theta(theta))?
@@ -62,6 +64,7 @@ impl Choice {
     }
 
     /// With what the preconditioner borrows: the factor, or the aggregates of the nodes.
+    #[inline(never)]
     fn for_asset<'a>(
         &self,
         asset: &'a Asset<'a>,
@@ -75,18 +78,15 @@ impl Choice {
             #[cfg(feature = "factors")]
             4 => match &asset.factor {
                 Some(factor) => Preconditioner::Factored(factor),
-                None => return Err("the asset has no factor".into()),
+                None => return Err(fault!("the asset has no factor")),
             },
             #[cfg(feature = "two-level")]
             TWO_LEVEL => Preconditioner::TwoLevel(
                 Aggregates::new(aggregates, DEFAULT_AGGREGATES)
-                    .map_err(|_| Fault::new("the aggregates do not fit"))?,
+                    .map_err(|_| fault!("the aggregates do not fit"))?,
             ),
             code => {
-                return Err(Fault::of(
-                    "preconditioner {0} does not exist",
-                    [code.into(), 0.0],
-                ));
+                return Err(fault!("preconditioner {0} does not exist", code, 0.0));
             }
         };
         #[cfg(not(feature = "factors"))]
@@ -106,11 +106,12 @@ fn start_of(code: u32) -> Result<Start, Fault> {
         (2, Some(0)) => Ok(Start::VelocityForce),
         (3, Some(m)) => Ok(Start::Galerkin(m)),
         (4, Some(m)) => Ok(Start::Rigid(m)),
-        (3 | 4, None) => Err(Fault::of(
+        (3 | 4, None) => Err(fault!(
             "a start has at most {1} past velocities, not {0}",
-            [m.into(), MOST_HISTORY.into()],
+            m,
+            MOST_HISTORY
         )),
-        _ => Err(Fault::of("start {0} does not exist", [code.into(), 0.0])),
+        _ => Err(fault!("start {0} does not exist", code, 0.0)),
     }
 }
 
@@ -130,12 +131,25 @@ pub struct Body {
     state: OwnedState,
     workspace: OwnedWorkspace,
     choice: Choice,
+    /// What state and workspace were made for.
+    needs: Needs,
     /// The aggregate of each node, once the two-level preconditioner was chosen.
     aggregates: Vec<u8>,
     pub gravity: Vec3,
     pub pins: Vec<Pin>,
     pub colliders: Vec<Collider<'static>>,
     pub forces: Vec<[f32; 3]>,
+}
+
+/// Once in the module, not once for every caller.
+#[inline(never)]
+fn state(rest: &Rest<'_>, needs: Needs) -> OwnedState {
+    OwnedState::new(rest, needs)
+}
+
+#[inline(never)]
+fn workspace(rest: &Rest<'_>, needs: Needs) -> OwnedWorkspace {
+    OwnedWorkspace::new(rest, needs)
 }
 
 /// A snapshot.
@@ -146,9 +160,11 @@ impl Body {
     pub fn new(asset: Rc<Loaded>) -> Self {
         let held = asset.borrow_dependent();
         let settings = held.metadata.settings;
+        let needs = Needs::from(settings.start);
         Self {
-            state: OwnedState::new(&held.rest, settings.start),
-            workspace: OwnedWorkspace::new(&held.rest, settings.start),
+            state: state(&held.rest, needs),
+            workspace: workspace(&held.rest, needs),
+            needs,
             choice: Choice {
                 settings,
                 preconditioner: 2,
@@ -184,7 +200,7 @@ impl Body {
         if old.header.fingerprint != new.rest.header.fingerprint
             || old.nodes.len() != new.rest.nodes.len()
         {
-            return Err("the asset is of another mesh".into());
+            return Err(fault!("the asset is of another mesh"));
         }
         self.choice.for_asset(new, &self.aggregates)?;
         self.asset = asset;
@@ -198,22 +214,22 @@ impl Body {
         if choice.preconditioner == TWO_LEVEL && self.aggregates.is_empty() {
             let mut aggregates = alloc::vec![0; asset.rest.nodes.len()];
             Aggregates::divide(&asset.rest, DEFAULT_AGGREGATES, &mut aggregates)
-                .map_err(|_| Fault::new("the aggregates do not fit"))?;
+                .map_err(|_| fault!("the aggregates do not fit"))?;
             self.aggregates = aggregates;
         }
-        let old = Needs::from(&self.choice.for_asset(asset, &self.aggregates)?);
+        let old = self.needs;
         let new = Needs::from(&choice.for_asset(asset, &self.aggregates)?);
         if old.history != new.history {
-            let mut state = OwnedState::new(&asset.rest, new);
+            let mut state = state(&asset.rest, new);
             let (mut to, from) = (state.view_mut(), self.state.view());
             to.place(&asset.rest, from.x, from.v)?;
             to.rotations.copy_from_slice(from.rotations);
             self.state = state;
         }
         if old != new {
-            self.workspace = OwnedWorkspace::new(&asset.rest, new);
+            self.workspace = workspace(&asset.rest, new);
         }
-        self.choice = choice;
+        (self.choice, self.needs) = (choice, new);
         Ok(())
     }
 
@@ -227,7 +243,7 @@ impl Body {
             pins: &self.pins,
             colliders: &self.colliders,
         };
-        let report = step::<Native, Factored>(
+        let report = step(
             &asset.rest,
             &mut self.state.view_mut(),
             &mut self.workspace.view_mut(&asset.rest),
@@ -257,7 +273,9 @@ impl Body {
             || here.history.len() != there.history.len()
             || here.rotations.len() != there.rotations.len()
         {
-            return Err("the snapshot is of another body, or of another start".into());
+            return Err(fault!(
+                "the snapshot is of another body, or of another start"
+            ));
         }
         self.state.clone_from(saved);
         Ok(())

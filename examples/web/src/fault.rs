@@ -1,7 +1,6 @@
-//! Why a call was refused: a text with places for numbers, `{0}` and `{1}`, which JavaScript fills in.
-//!
-//! The crate's own `Display` would say the same, and bring 20 KB of number formatting into the module, which
-//! every JavaScript engine has already.
+//! Why a call was refused: a code and two numbers. The text, with `{0}` and `{1}` for the numbers, stays out of the
+//! module: the build gathers the texts of `fault!` for JavaScript (`scripts/faults.mjs`), which has them and number
+//! formatting for less. The crate's own `Display` would say the same, and bring 20 KB.
 
 use femto::asset::{AssetError, HeaderField, SectionFault};
 use femto::collider::ColliderError;
@@ -14,46 +13,57 @@ use femto::{Refusal, mesh::MeshError};
 /// A refusal.
 #[derive(Clone, Copy, Debug)]
 pub struct Fault {
-    pub text: &'static str,
-    pub numbers: [f64; 2],
+    pub code: u32,
+    /// JavaScript shows seven digits.
+    pub numbers: [f32; 2],
 }
 
 impl Fault {
-    pub const fn new(text: &'static str) -> Self {
-        Self::of(text, [0.0; 2])
-    }
-
-    pub const fn of(text: &'static str, numbers: [f64; 2]) -> Self {
-        Self { text, numbers }
-    }
-
-    /// About one thing.
-    fn at(text: &'static str, number: impl Into<f64>) -> Self {
-        Self::of(text, [number.into(), 0.0])
-    }
-
-    /// About two.
-    fn between(text: &'static str, numbers: [usize; 2]) -> Self {
-        Self::of(text, numbers.map(|number| number as f64))
-    }
+    /// None yet.
+    pub const NONE: Self = Self {
+        code: 0,
+        numbers: [0.0; 2],
+    };
 }
 
-impl From<&'static str> for Fault {
-    fn from(text: &'static str) -> Self {
-        Self::new(text)
+/// The code of a text: FNV-1a (32 bit) of its bytes.
+pub const fn code(text: &str) -> u32 {
+    let (mut hash, mut left) = (0x811c_9dc5_u32, text.as_bytes());
+    while let [byte, rest @ ..] = left {
+        hash = (hash ^ *byte as u32).wrapping_mul(0x0100_0193);
+        left = rest;
     }
+    hash
 }
+
+/// `fault!("text")`, `fault!("text with {0}", x)` or `fault!("text with {0} and {1}", x, y)`.
+macro_rules! fault {
+    ($text:literal) => {
+        $crate::fault::fault!($text, 0.0, 0.0)
+    };
+    ($text:literal, $x:expr) => {
+        $crate::fault::fault!($text, $x, 0.0)
+    };
+    ($text:literal, $x:expr, $y:expr) => {{
+        const CODE: u32 = $crate::fault::code($text);
+        $crate::fault::Fault {
+            code: CODE,
+            numbers: [$x as f32, $y as f32],
+        }
+    }};
+}
+pub(crate) use fault;
 
 impl From<MaterialError> for Fault {
     fn from(error: MaterialError) -> Self {
         use MaterialError::{Alpha, Beta, Density, Poisson, Young};
         match error {
-            Young(x) => Self::at("Young's modulus {0} must be positive and finite", x),
-            Poisson(x) => Self::at("Poisson's ratio {0} must be above -1 and below 0.5", x),
-            Density(x) => Self::at("density {0} must be positive and finite", x),
-            Alpha(x) => Self::at("damping alpha {0} must be finite and not negative", x),
-            Beta(x) => Self::at("damping beta {0} must be finite and not negative", x),
-            _ => Self::new("the material is out of range"),
+            Young(x) => fault!("Young's modulus {0} must be positive and finite", x),
+            Poisson(x) => fault!("Poisson's ratio {0} must be above -1 and below 0.5", x),
+            Density(x) => fault!("density {0} must be positive and finite", x),
+            Alpha(x) => fault!("damping alpha {0} must be finite and not negative", x),
+            Beta(x) => fault!("damping beta {0} must be finite and not negative", x),
+            _ => fault!("the material is out of range"),
         }
     }
 }
@@ -61,73 +71,71 @@ impl From<MaterialError> for Fault {
 impl From<SettingsError> for Fault {
     fn from(error: SettingsError) -> Self {
         match error {
-            SettingsError::Dt(x) => Self::at("time step {0} must be positive and finite", x),
-            SettingsError::Theta(x) => Self::at("theta {0} must be between 0.5 and 1", x),
-            _ => Self::new("the settings are out of range"),
+            SettingsError::Dt(x) => fault!("time step {0} must be positive and finite", x),
+            SettingsError::Theta(x) => fault!("theta {0} must be between 0.5 and 1", x),
+            _ => fault!("the settings are out of range"),
         }
     }
 }
 
 impl From<ColliderError> for Fault {
     fn from(error: ColliderError) -> Self {
-        Self::new(match error {
-            ColliderError::Normal => "the collider's normal must be finite and not zero",
-            ColliderError::Place => "the collider's offset or centre must be finite",
+        match error {
+            ColliderError::Normal => fault!("the collider's normal must be finite and not zero"),
+            ColliderError::Place => fault!("the collider's offset or centre must be finite"),
             ColliderError::Radius => {
-                "the collider's radius must be positive, and its square finite"
+                fault!("the collider's radius must be positive, and its square finite")
             }
             ColliderError::Friction => {
-                "the coefficient of friction must be finite and not negative"
+                fault!("the coefficient of friction must be finite and not negative")
             }
-            ColliderError::Velocity => "the collider's velocity must be finite",
-            _ => "the collider is out of range",
-        })
+            ColliderError::Velocity => fault!("the collider's velocity must be finite"),
+            _ => fault!("the collider is out of range"),
+        }
     }
 }
 
 impl From<MeshError> for Fault {
     fn from(error: MeshError) -> Self {
         use MeshError as E;
-        let of_tet = |text, tet: u32, node: u32| Self::of(text, [tet.into(), node.into()]);
         match error {
-            E::Empty => Self::new("the mesh has no nodes or no tetrahedra"),
+            E::Empty => fault!("the mesh has no nodes or no tetrahedra"),
             E::NonFiniteNode { node } => {
-                Self::at("node {0} has a coordinate that is not finite", node)
+                fault!("node {0} has a coordinate that is not finite", node)
             }
-            E::NodeOutOfRange { tet, node } => of_tet(
+            E::NodeOutOfRange { tet, node } => fault!(
                 "tetrahedron {0} names node {1}, which does not exist",
                 tet,
-                node,
+                node
             ),
             E::RepeatedNode { tet, node } => {
-                of_tet("tetrahedron {0} names node {1} twice", tet, node)
+                fault!("tetrahedron {0} names node {1} twice", tet, node)
             }
-            E::BadVolume { tet } => Self::at(
+            E::BadVolume { tet } => fault!(
                 "tetrahedron {0} has a volume that is not positive, or too small",
-                tet,
+                tet
             ),
-            E::UnreferencedNode { node } => Self::at("node {0} belongs to no tetrahedron", node),
-            E::OutOfScale { tet } => Self::at(
+            E::UnreferencedNode { node } => fault!("node {0} belongs to no tetrahedron", node),
+            E::OutOfScale { tet } => fault!(
                 "the mass or stiffness of tetrahedron {0} is out of range",
-                tet,
+                tet
             ),
-            _ => Self::new("the mesh does not fit"),
+            _ => fault!("the mesh does not fit"),
         }
     }
 }
 
 impl From<FactorError> for Fault {
     fn from(error: FactorError) -> Self {
-        let of = |text, number| Self::between(text, [number, 0]);
         match error {
-            FactorError::Node { place } => of("index {0} of the factor names no node", place),
+            FactorError::Node { place } => fault!("index {0} of the factor names no node", place),
             FactorError::Pivot { node } => {
-                of("the pivot of node {0} is not positive definite", node)
+                fault!("the pivot of node {0} is not positive definite", node)
             }
             FactorError::Entry { place } => {
-                of("entry {0} of the factor is not a finite number", place)
+                fault!("entry {0} of the factor is not a finite number", place)
             }
-            _ => Self::new("the parts of the factor do not fit together"),
+            _ => fault!("the parts of the factor do not fit together"),
         }
     }
 }
@@ -136,63 +144,69 @@ impl From<AssetError> for Fault {
     fn from(error: AssetError) -> Self {
         use AssetError as E;
         match error {
-            E::Magic => Self::new("the bytes are not a femto asset"),
-            E::Version { found } => Self::of(
+            E::Magic => fault!("the bytes are not a femto asset"),
+            E::Version { found } => fault!(
                 "the asset is of version {0} of the format; known is {1}",
-                [found.into(), femto::asset::VERSION.into()],
+                found,
+                femto::asset::VERSION
             ),
             E::Truncated { needed, given } => {
-                Self::between("the asset ends after {1} bytes of {0}", [needed, given])
+                fault!("the asset ends after {1} bytes of {0}", needed, given)
             }
-            E::Trailing { needed, given } => Self::between(
-                "the asset has {1} bytes, more than its {0}",
-                [needed, given],
-            ),
-            E::Checksum { .. } => Self::new("the asset was changed: its checksum is another"),
-            E::Code { found, .. } => Self::at("the asset makes an unknown choice, {0}", found),
-            E::Section { section, fault } => Self::at(
-                match fault {
-                    SectionFault::Misaligned => {
-                        "section {0} of the asset does not begin at a multiple of 32"
-                    }
-                    SectionFault::OutOfRange => {
-                        "section {0} of the asset ends behind the end of the bytes"
-                    }
-                    SectionFault::Misplaced => {
-                        "section {0} of the asset does not follow the one before it"
-                    }
-                    _ => "section {0} of the asset is not as long as it must be",
-                },
-                section as u32,
-            ),
-            E::Source => Self::new("the name of the asset's source is not UTF-8"),
+            E::Trailing { needed, given } => {
+                fault!("the asset has {1} bytes, more than its {0}", needed, given)
+            }
+            E::Checksum { .. } => fault!("the asset was changed: its checksum is another"),
+            E::Code { found, .. } => fault!("the asset makes an unknown choice, {0}", found),
+            E::Section { section, fault } => match fault {
+                SectionFault::Misaligned => fault!(
+                    "section {0} of the asset does not begin at a multiple of 32",
+                    section as u32
+                ),
+                SectionFault::OutOfRange => fault!(
+                    "section {0} of the asset ends behind the end of the bytes",
+                    section as u32
+                ),
+                SectionFault::Misplaced => fault!(
+                    "section {0} of the asset does not follow the one before it",
+                    section as u32
+                ),
+                _ => fault!(
+                    "section {0} of the asset is not as long as it must be",
+                    section as u32
+                ),
+            },
+            E::Source => fault!("the name of the asset's source is not UTF-8"),
             E::Material(error) => error.into(),
             E::Settings(error) => error.into(),
-            E::Header(field) => Self::new(match field {
-                HeaderField::Tets => "the number of tetrahedra is not that of the blocks",
-                HeaderField::Fingerprint => "the fingerprint is not that of nodes and corners",
-                HeaderField::LengthUnit => "the length unit is not a power of two",
-                HeaderField::MassUnit => "the mass unit is not a power of two",
-                HeaderField::TotalMass => "the total mass is not the sum of the masses",
-                HeaderField::Damping => "the damping is not the material's",
-                _ => "the asset's header is wrong",
-            }),
-            E::Node { node } => Self::at("node {0} has a coordinate that is not finite", node),
-            E::Mass { node } => Self::at("the mass of node {0} is not positive and normal", node),
-            E::Corner { tet, node } => Self::of(
+            E::Header(field) => match field {
+                HeaderField::Tets => fault!("the number of tetrahedra is not that of the blocks"),
+                HeaderField::Fingerprint => {
+                    fault!("the fingerprint is not that of nodes and corners")
+                }
+                HeaderField::LengthUnit => fault!("the length unit is not a power of two"),
+                HeaderField::MassUnit => fault!("the mass unit is not a power of two"),
+                HeaderField::TotalMass => fault!("the total mass is not the sum of the masses"),
+                HeaderField::Damping => fault!("the damping is not the material's"),
+                _ => fault!("the asset's header is wrong"),
+            },
+            E::Node { node } => fault!("node {0} has a coordinate that is not finite", node),
+            E::Mass { node } => fault!("the mass of node {0} is not positive and normal", node),
+            E::Corner { tet, node } => fault!(
                 "tetrahedron {0} cannot have node {1} for a corner",
-                [tet.into(), node.into()],
-            ),
-            E::Stiffness { tet } => Self::at(
-                "gradients or stiffness of tetrahedron {0} are out of range",
                 tet,
+                node
             ),
-            E::Padding { tet } => Self::at("padding tetrahedron {0} is not zero", tet),
-            E::Pin { pin } => Self::at("pin {0} has a wrong node or velocity", pin),
-            E::Factor(error) => error.into(),
-            E::ForeignFactor => Self::new("the factor is of another mesh"),
-            E::TooLarge => Self::new("an asset cannot have 4 GiB"),
-            _ => Self::new("the asset cannot be read"),
+            E::Stiffness { tet } => fault!(
+                "gradients or stiffness of tetrahedron {0} are out of range",
+                tet
+            ),
+            E::Padding { tet } => fault!("padding tetrahedron {0} is not zero", tet),
+            E::Pin { pin } => fault!("pin {0} has a wrong node or velocity", pin),
+            E::Factor(error) if cfg!(feature = "factors") => error.into(),
+            E::ForeignFactor => fault!("the factor is of another mesh"),
+            E::TooLarge => fault!("an asset cannot have 4 GiB"),
+            _ => fault!("the asset cannot be read"),
         }
     }
 }
@@ -201,12 +215,12 @@ impl From<StateError> for Fault {
     fn from(error: StateError) -> Self {
         match error {
             StateError::Length { given, nodes } => {
-                Self::between("{0} entries were given for {1} nodes", [given, nodes])
+                fault!("{0} entries were given for {1} nodes", given, nodes)
             }
             StateError::NonFinite { node } => {
-                Self::at("the position or velocity of node {0} is not finite", node)
+                fault!("the position or velocity of node {0} is not finite", node)
             }
-            _ => Self::new("the state does not fit"),
+            _ => fault!("the state does not fit"),
         }
     }
 }
@@ -214,13 +228,15 @@ impl From<StateError> for Fault {
 impl From<Refusal> for Fault {
     fn from(refusal: Refusal) -> Self {
         match refusal {
-            Refusal::NonFinite { node } => Self::at("node {0} would have become non-finite", node),
-            Refusal::OutOfRange => "forces or velocities are too large to be squared in f32".into(),
-            Refusal::Pin { pin } => Self::at("pin {0} names a node that does not exist", pin),
-            Refusal::Forces => "the list of forces is not as long as the body has nodes".into(),
-            Refusal::Storage => "state or workspace is not of the size of the rest data".into(),
-            Refusal::Factor => "the factor was made for another mesh".into(),
-            _ => "the state keeps too little for these settings".into(),
+            Refusal::NonFinite { node } => fault!("node {0} would have become non-finite", node),
+            Refusal::OutOfRange => {
+                fault!("forces or velocities are too large to be squared in f32")
+            }
+            Refusal::Pin { pin } => fault!("pin {0} names a node that does not exist", pin),
+            Refusal::Forces => fault!("the list of forces is not as long as the body has nodes"),
+            Refusal::Storage => fault!("state or workspace is not of the size of the rest data"),
+            Refusal::Factor => fault!("the factor was made for another mesh"),
+            _ => fault!("the state keeps too little for these settings"),
         }
     }
 }

@@ -5,13 +5,13 @@
 //! are read and written in place, where `positions` and the like say; memory may grow or move with any call that
 //! makes, sets or frees something, and stays where it is during `step`.
 //!
-//! All `unsafe` of the web is in this package: names of exports, and the one static ([`world`]).
+//! All `unsafe` of the web is in this package: names of exports, and what is safe without threads ([`world`], the
+//! allocator).
 #![no_std]
 
 extern crate alloc;
 
-use fault::Fault;
-use world::{Chunk, World, with};
+use world::{Chunk, with};
 
 mod assets;
 mod bodies;
@@ -22,24 +22,15 @@ mod table;
 mod world;
 
 #[global_allocator]
-static ALLOCATOR: dlmalloc::GlobalDlmalloc = dlmalloc::GlobalDlmalloc;
+static ALLOCATOR: lol_alloc::AssumeSingleThreaded<lol_alloc::FreeListAllocator> =
+    // SAFETY: the module is built without threads.
+    unsafe { lol_alloc::AssumeSingleThreaded::new(lol_alloc::FreeListAllocator::new()) };
 
 /// Nothing here should panic; memory that is used up ends here.
 #[cfg(target_family = "wasm")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     core::arch::wasm32::unreachable()
-}
-
-const GONE: &str = "the handle was freed, or is of something else";
-
-fn refuse(world: &mut World, why: impl Into<Fault>) -> u32 {
-    world.fault = why.into();
-    0
-}
-
-fn answer<E: Into<Fault>>(world: &mut World, result: Result<u32, E>) -> u32 {
-    result.unwrap_or_else(|why| refuse(world, why))
 }
 
 /// Room for so many bytes of input; 0 where there is none.
@@ -52,21 +43,15 @@ extern "C" fn input(bytes: usize) -> *mut Chunk {
     })
 }
 
-/// Where the reason of the last refusal stands, as UTF-8, with `{0}` and `{1}` for its numbers.
+/// Why the last call was refused: the code of a text.
 #[unsafe(no_mangle)]
-extern "C" fn message() -> *const u8 {
-    with(|world| world.fault.text.as_ptr())
-}
-
-/// Its length in bytes.
-#[unsafe(no_mangle)]
-extern "C" fn message_length() -> usize {
-    with(|world| world.fault.text.len())
+extern "C" fn message() -> u32 {
+    with(|world| world.fault.code)
 }
 
 /// One of its two numbers.
 #[unsafe(no_mangle)]
-extern "C" fn message_number(which: usize) -> f64 {
+extern "C" fn message_number(which: usize) -> f32 {
     with(|world| world.fault.numbers.get(which).copied().unwrap_or_default())
 }
 
@@ -85,5 +70,11 @@ extern "C" fn lanes() -> usize {
 /// Assets, bodies and snapshots that are kept.
 #[unsafe(no_mangle)]
 extern "C" fn kept() -> usize {
-    with(|world| world.assets.len() + world.bodies.len() + world.snapshots.len())
+    with(|world| world.kept.len())
+}
+
+/// Forgets an asset, a body or a snapshot; bodies that use an asset keep it.
+#[unsafe(no_mangle)]
+extern "C" fn free(handle: u32) -> u32 {
+    with(|world| u32::from(world.kept.free(handle)))
 }

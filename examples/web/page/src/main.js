@@ -190,8 +190,10 @@ class Page {
     });
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.repaint());
 
+    /** The finger, or the mouse, that holds the body. */
+    let holder = null;
     const down = (event) => {
-      if (event.button > 0) return;
+      if (event.button > 0 || this.world.hand.held) return;
       const hit = view.pick(event);
       if (!hit) return;
       this.touched();
@@ -204,16 +206,18 @@ class Page {
       }
       hand.grab(x, hit.node, 0.09 * size, hit.point);
       canvas.setPointerCapture(event.pointerId);
+      holder = event.pointerId;
       canvas.classList.add('holding');
     };
     // Before the orbit controls, which listen on the canvas.
     canvas.parentElement.addEventListener('pointerdown', down, { capture: true });
     canvas.addEventListener('pointermove', (event) => {
       const { hand } = this.world;
-      if (hand.held) hand.target = view.follow(event) ?? hand.target;
+      if (hand.held && event.pointerId === holder) hand.target = view.follow(event) ?? hand.target;
     });
     for (const end of ['pointerup', 'pointercancel']) {
-      canvas.addEventListener(end, () => {
+      canvas.addEventListener(end, (event) => {
+        if (this.world.hand.held && event.pointerId !== holder) return;
         this.world.hand.release();
         view.orbit.enabled = true;
         canvas.classList.remove('holding');

@@ -4,6 +4,7 @@ import { hasSimd, load } from '../../package/index.js';
 import { choiceControl, element, group, numberControl } from './controls.js';
 import golden from './golden.json';
 import { runGolden } from './golden.js';
+import { matches, runScenes } from './scenes.js';
 import { CONVERGED } from './side.js';
 
 const PRECONDITIONERS = {
@@ -136,7 +137,8 @@ export function buildPanel(page) {
   const mark = element('p', { className: 'note', id: 'mark' });
   const verdict = element('p', { className: 'note', id: 'verdict', role: 'status' });
   const check = element('button', { type: 'button', id: 'check' }, 'Check this browser’s bits');
-  check.addEventListener('click', () => checkBits(page, check, verdict));
+  const scenes = element('ul', { className: 'note', id: 'scenes' });
+  check.addEventListener('click', () => checkBits(page, check, verdict, scenes));
 
   const progress = element('progress', { max: 1, value: 0, hidden: true });
   const passed = element('p', { className: 'note', id: 'passed', role: 'status' });
@@ -151,7 +153,7 @@ export function buildPanel(page) {
     group('Left', { side: 'a' }, ...left.boxes),
     rightGroup,
     group('Material', {}, ...Object.values(materials).map(({ box }) => box)),
-    group('Same bits everywhere', {}, element('div', { className: 'row' }, check), verdict, mark, module.box),
+    group('Same bits everywhere', {}, element('div', { className: 'row' }, check), verdict, scenes, mark, module.box),
     group('Far ahead', {}, element('div', { className: 'row' }, ...buttons), progress, passed),
   );
 
@@ -178,14 +180,16 @@ export function buildPanel(page) {
   };
 }
 
-/** The committed run in both modules of this browser. */
-async function checkBits(page, button, verdict) {
+/** The committed run, and the golden scenes, in both modules of this browser. */
+async function checkBits(page, button, verdict, scenes) {
   button.disabled = true;
   verdict.className = 'note';
-  const files = hasSimd() ? ['femto-simd.wasm', 'femto.wasm'] : ['femto.wasm'];
+  scenes.replaceChildren();
+  const kinds = hasSimd() ? ['-simd', ''] : [''];
   const wrong = [];
   try {
-    for (const file of files) {
+    for (const kind of kinds) {
+      const file = `femto${kind}.wasm`;
       verdict.textContent = `${golden.steps} steps with ${file}…`;
       await new Promise((done) => setTimeout(done));
       const femto = await load(await page.fetched(file));
@@ -194,10 +198,21 @@ async function checkBits(page, button, verdict) {
         if (step !== at || hash !== expected) wrong.push(`${file}, step ${step}: ${hash} instead of ${expected}`);
       }
     }
+    const right = new Map();
+    for (const kind of kinds) {
+      for await (const scene of runScenes(await page.fetched(`assets/cases${kind}.wasm`))) {
+        verdict.textContent = `Golden scenes: ${scene.name}…`;
+        right.set(scene.name, (right.get(scene.name) ?? true) && matches(scene));
+      }
+    }
+    for (const [name, same] of right) {
+      if (!same) wrong.push(name);
+      scenes.append(element('li', { className: same ? 'good' : 'bad' }, `${name}: ${same ? 'the same' : 'other bits'}`));
+    }
     const last = golden.hashes.at(-1)[1];
     verdict.textContent = wrong.length
       ? `This browser gives other bits. ${wrong.join('; ')}`
-      : `This browser gives the committed bits: ${last} after ${golden.steps} steps, ${files.length === 2 ? 'with both modules' : 'with the plain module'}.`;
+      : `This browser gives the committed bits: ${last} after ${golden.steps} steps, and those of all ${right.size} golden scenes, with ${kinds.length === 2 ? 'both modules' : 'the plain module'}.`;
     verdict.classList.add(wrong.length ? 'bad' : 'good');
   } catch (error) {
     verdict.textContent = `The check did not run: ${error.message}`;

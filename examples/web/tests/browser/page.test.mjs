@@ -1,6 +1,7 @@
 // The page in a real Chromium, by its real controls.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 
 import { chromium } from 'playwright-core';
@@ -12,6 +13,10 @@ import golden from '../../page/src/golden.json' with { type: 'json' };
 const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 // Software rendering: there is no graphics card where CI runs.
 const ARGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+
+/** The names of the golden scenes. */
+const LINES = readFileSync(here('../cases/golden.txt'), 'utf8').trim().split('\n');
+const SCENES = [...new Set(LINES.map((line) => line.split(' ').slice(0, 2).join(' ')))];
 
 let server, browser, page, address;
 const complaints = [];
@@ -241,11 +246,12 @@ test('the error falls when iterations rise', async () => {
 
 test('this browser gives the committed bits', async () => {
   await page.click('#check');
-  await until('a verdict', async () => /bits/.test(await text('#verdict')), 60);
+  await until('a verdict', async () => /gives|did not/.test(await text('#verdict')), 60);
   assert.equal(
     await text('#verdict'),
-    `This browser gives the committed bits: ${golden.hashes.at(-1)[1]} after ${golden.steps} steps, with both modules.`,
+    `This browser gives the committed bits: ${golden.hashes.at(-1)[1]} after ${golden.steps} steps, and those of all ${SCENES.length} golden scenes, with both modules.`,
   );
+  assert.deepEqual(await page.locator('#scenes li').allTextContents(), SCENES.map((name) => `${name}: the same`));
 });
 
 test('both modules give the same bits on the page, and the mark appears', async () => {
@@ -295,5 +301,53 @@ test('on a phone the page fits, and a finger drags', async () => {
   }
   await phone.tap('#theme');
   assert.equal(await phone.getAttribute('html', 'data-theme'), 'light');
+
+  await phone.locator('#view').evaluate((canvas) => {
+    canvas.dataset.pointers = '';
+    for (const type of ['pointerdown', 'pointermove', 'pointerup']) {
+      canvas.addEventListener(type, (event) => (canvas.dataset.pointers += `${type} ${event.pointerType};`));
+    }
+  });
+  const devices = await phone.context().newCDPSession(phone);
+  const finger = (type, ...points) =>
+    devices.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y]) => ({ x: Math.round(x), y: Math.round(y) })) });
+  const holding = () => phone.locator('#view').evaluate((canvas) => canvas.classList.contains('holding'));
+  /** Whether a finger that comes down there takes hold of the body. */
+  const holds = async (at) => {
+    await finger('touchStart', at);
+    const held = await holding();
+    await finger('touchEnd');
+    return held;
+  };
+  const steps = async (count) => {
+    for (let k = 0; k < count; k++) await phone.keyboard.press('.');
+  };
+  if ((await phone.textContent('#play')) === 'Pause') await phone.tap('#play');
+  await phone.tap('#reset');
+  await phone.locator('#view').focus();
+  const box = await phone.locator('#view').boundingBox();
+  // The highest place in the left half where there is a body, and one above it where there is none.
+  const column = [...Array(40).keys()].map((k) => [box.x + box.width * 0.25, box.y + (box.height * (k + 1)) / 41]);
+  let top = 0;
+  while (top < column.length && !(await holds(column[top]))) top += 1;
+  assert.ok(top > 6 && top < column.length, `nothing to hold, or no room above it: ${top}`);
+  const [from, to] = [column[top + 1], column[top - 5]];
+  await phone.tap('#reset');
+  await phone.locator('#view').focus();
+  await steps(31);
+  const untouched = await phone.textContent('#hash');
+  await phone.tap('#reset');
+  await phone.locator('#view').focus();
+  await finger('touchStart', from);
+  assert.ok(await holding(), 'the finger holds it');
+  for (let k = 1; k <= 4; k++) await finger('touchMove', [from[0], from[1] + ((to[1] - from[1]) * k) / 4]);
+  await steps(31);
+  await finger('touchEnd');
+  assert.ok(!(await holding()), 'and lets go');
+  assert.notEqual(await phone.textContent('#hash'), untouched);
+  assert.ok(await holds(to), 'the body is where the finger went, and where nothing was');
+  const pointers = await phone.getAttribute('#view', 'data-pointers');
+  assert.match(pointers, /pointerdown touch;(pointermove touch;)+pointerup touch;/);
+  assert.ok(!pointers.includes('mouse'), 'no mouse had a hand in it');
   await phone.close();
 });

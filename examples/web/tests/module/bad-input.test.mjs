@@ -92,7 +92,7 @@ test('handles of the module itself are safe: freed, made up, or of something els
     assert.equal(exports.body_new(handle), 0);
     assert.equal(exports.body_step(handle, 1), 0);
     assert.equal(exports.body_positions(handle), 0);
-    assert.equal(exports.body_free(handle), 0);
+    assert.equal(exports.free(handle), 0);
     assert.equal(exports.asset_info(handle), 0);
     assert.equal(exports.body_restore(handle, handle), 0);
   }
