@@ -19,10 +19,9 @@ use femto::settings::{Needs, Preconditioner, Settings, Start};
 use femto::state::{broken_bytes, plastic_bytes};
 use femto::step::{Scene as StepScene, StepReport};
 use femto_bake::OwnedFactor;
-use serde::Serialize;
 
 use crate::colliders::Solid;
-use crate::coupled::{self, Joint};
+use crate::coupled::Joint;
 use crate::error::Error;
 use crate::loads::Acting;
 use crate::material::Laws;
@@ -61,15 +60,6 @@ struct Body<'a> {
     damage: Damage,
 }
 
-/// What plastic flow and fracture have done, summed over the bodies.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Damage {
-    pub dissipated_joules: f64,
-    pub broken_tets: u32,
-    /// How many tets may still break; `null` where none of the bodies breaks.
-    pub reserve_left: Option<u32>,
-}
-
 /// The scene's settings with what is a body's own of the preconditioner.
 fn own_settings<'a>(
     settings: &Settings<'static>,
@@ -102,48 +92,10 @@ macro_rules! with {
     };
 }
 
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Energies {
-    pub kinetic: f64,
-    pub elastic: f64,
-    pub potential: f64,
-}
+mod joined;
+mod values;
 
-impl Energies {
-    pub fn total(&self) -> f64 {
-        self.kinetic + self.elastic + self.potential
-    }
-}
-
-/// What a state is worth, summed over the bodies.
-#[derive(Clone, Copy, Debug)]
-pub struct Measure {
-    pub energy: Energies,
-    pub linear: [f64; 3],
-    pub angular: [f64; 3],
-    pub min_det: f64,
-}
-
-/// What a step says of itself.
-#[derive(Clone, Copy, Debug)]
-pub struct StepInfo {
-    /// ‖b − Av‖/‖b‖ of the last substep, all bodies stacked; 0 where ‖b‖ = 0.
-    pub residual: f64,
-    pub contacts: u32,
-    /// Contacts of all substeps that found no room.
-    pub dropped: u32,
-    /// Time in the solver.
-    pub took: Duration,
-}
-
-/// Bytes.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Memory {
-    pub rest: usize,
-    pub factor: usize,
-    pub state: usize,
-    pub workspace: usize,
-}
+pub use values::{Damage, Energies, Measure, Memory, StepInfo};
 
 impl<'a> Sim<'a> {
     pub fn new(scene: &'a Scene, factors: &'a Factors) -> Result<Self, Error> {
@@ -157,7 +109,7 @@ impl<'a> Sim<'a> {
         let mut bodies = Vec::new();
         let mut joint = None;
         if let Some(coupled) = &scene.coupled {
-            let (made, body) = joined(scene, coupled, &settings, factors)?;
+            let (made, body) = joined::joined(scene, coupled, &settings, factors)?;
             bodies.push(body);
             joint = Some(made);
         }
@@ -461,80 +413,6 @@ impl<'a> Sim<'a> {
         }
         sum
     }
-}
-
-impl Damage {
-    fn add(&mut self, report: &StepReport) {
-        self.dissipated_joules += f64::from(report.dissipated);
-        self.broken_tets += report.fracture.broken;
-        if let Some(left) = &mut self.reserve_left {
-            *left = report.fracture.left;
-        }
-    }
-}
-
-/// All bodies in one system.
-fn joined<'a>(
-    scene: &Scene,
-    coupled: &coupled::Coupled,
-    settings: &Settings<'static>,
-    factors: &'a Factors,
-) -> Result<(Joint, Body<'a>), Error> {
-    let mut of = vec![0; scene.bodies.iter().map(|b| b.x.len()).sum()];
-    let aggregated = scene.preconditioner == scene::Preconditioner::TwoLevel;
-    let wrong = |why: String| Error::Value {
-        file: scene.file.clone(),
-        key: "body".into(),
-        value: format!("{} in one system", scene.bodies.len()),
-        why,
-    };
-    macro_rules! make {
-        ($layout:ty, $kind:path) => {{
-            let (joint, rest) = coupled::joint::<$layout>(scene, coupled)?;
-            let needs = match aggregated {
-                true => {
-                    Aggregates::divide(&rest.view(), DEFAULT_AGGREGATES, &mut of)
-                        .map_err(|e| wrong(e.to_string()))?;
-                    Needs::from(&own_settings(settings, None, Some(&of), Laws::default()))
-                }
-                false => Needs::from(settings),
-            };
-            (joint, $kind(Box::new(OwnedBody::from_rest(rest, needs))))
-        }};
-    }
-    let (joint, mut kind) = match scene.layout {
-        scene::Layout::Factored => make!(Factored, Kind::Factored),
-        scene::Layout::Dense => make!(Dense, Kind::Dense),
-    };
-    let all = |of: fn(&scene::Body) -> &Vec<[f32; 3]>| {
-        scene
-            .bodies
-            .iter()
-            .flat_map(of)
-            .copied()
-            .collect::<Vec<_>>()
-    };
-    let (x, v) = (all(|b| &b.x), all(|b| &b.v));
-    with!(&mut kind, built => built.place(&x, &v)).map_err(|e| wrong(e.to_string()))?;
-    let pins = scene.all_pins().map(|(node, v)| Pin {
-        node,
-        velocity: Vec3::from_array(v),
-    });
-    let body = Body {
-        kind,
-        pins: pins.collect(),
-        factor: factors
-            .0
-            .first()
-            .and_then(Option::as_ref)
-            .map(OwnedFactor::view),
-        aggregates: aggregated.then_some(of),
-        acting: Acting::new(&scene.loads, scene.bodies.iter().enumerate()).map_err(wrong)?,
-        laws: Laws::default(),
-        original: Vec::new(),
-        damage: Damage::default(),
-    };
-    Ok((joint, body))
 }
 
 fn built<L: Build>(
