@@ -21,118 +21,33 @@
 //! The rotations are fitted at the end of a step, so that a step which is refused leaves the state
 //! untouched without a copy of it.
 
+mod check;
+mod keep;
+mod system;
+mod units;
+
 use crate::body::{StateMut, WorkspaceMut};
 use crate::cg::{self, System};
-use crate::constraint::{ContactStep, Decisions, land, pin, touch};
+use crate::constraint::{ContactStep, Decisions, pin, touch};
 use crate::coupling::hook::{Couple, CoupleStep, FreeStep};
-use crate::element::{Layout, Sym3};
+use crate::element::Layout;
 use crate::fan;
 use crate::inelastic;
 use crate::lane::Lanes;
-use crate::math::{power_of_two_below, ratio_or_zero, select, sqrt};
+use crate::math::select;
 use crate::operator::{Fit, Operator, fit_rotations};
-use crate::preconditioner::{Preconditioner, Prepared, Room};
+use crate::preconditioner::Room;
 pub use crate::report::{Refusal, StepReport};
-use crate::rest::{Points, Rest};
+use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translate, fill_space};
-use crate::vector::{add_scaled, copy, dot, sym_mul};
-
-/// The step's numbers, in units where one node's mass and one element a step are of order one.
-pub(crate) struct Units {
-    pub dt: f32,
-    pub theta: f32,
-    /// m₀, kg
-    pub mass: f32,
-    /// v₀, m/s
-    pub velocity: f32,
-    /// m₀v₀, N·s
-    impulse: f32,
-    /// c_M and c_K of A
-    system: [f32; 2],
-    /// c_M and c_K of the bracket, −(1−θ)hα and −[θ(1−θ)h² + (1−θ)hβ]
-    bracket: [f32; 2],
-}
-
-impl Units {
-    fn new<L: Layout>(rest: &Rest<'_, L>, settings: &Settings) -> Self {
-        let (h, theta, header) = (settings.dt(), settings.theta(), rest.header);
-        let velocity = header.length_unit / power_of_two_below(h);
-        let damped = theta * h;
-        let undamped = (1.0 - theta) * h;
-        let per_mass = |c: f32| c / header.mass_unit;
-        let per_stiffness = |c: f32| c / header.mass_unit / header.length_unit / header.length_unit;
-        Self {
-            dt: h,
-            theta,
-            mass: header.mass_unit,
-            velocity,
-            impulse: header.mass_unit * velocity,
-            system: [
-                per_mass(1.0 + damped * header.alpha),
-                per_stiffness(damped * damped + damped * header.beta),
-            ],
-            bracket: [
-                per_mass(-(undamped * header.alpha)),
-                per_stiffness(-(damped * undamped + undamped * header.beta)),
-            ],
-        }
-    }
-}
-
-/// The system as the solver sees it.
-struct Filtered<'a, L: Layout, R, C> {
-    operator: &'a Operator<'a, L>,
-    couplings: &'a C,
-    preconditioner: Prepared<'a>,
-    /// Whether nodes may touch something.
-    touches: bool,
-    lanes: core::marker::PhantomData<R>,
-}
-
-impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
-    fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
-        self.operator.apply::<R>(u, out);
-        self.couplings.apply(u, out);
-        self.couplings.project(out);
-    }
-    /// Impulses of contacts are of b's size, and a P whose normal is not along an axis lets a rounding of them
-    /// through. Pins have an exact P.
-    fn confine(&self, q: &mut [[f32; 3]]) {
-        if self.touches {
-            for (q, p) in q.iter_mut().zip(self.preconditioner.filter()) {
-                *q = sym_mul(p, q);
-            }
-        }
-    }
-    #[inline(always)]
-    fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
-        self.preconditioner.apply(r, z);
-        self.couplings.project(z);
-    }
-    fn size(&self, r: &[[f32; 3]], rz: f32) -> f32 {
-        if self.preconditioner.is_cheap() {
-            rz
-        } else {
-            filtered_square(self.preconditioner.filter(), r)
-        }
-    }
-}
-
-impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
-    /// [`System::size`] of any residual; `z` is scratch.
-    #[inline(always)]
-    fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
-        let rz = if self.preconditioner.is_cheap() {
-            self.precondition(r, z);
-            dot(r, z)
-        } else {
-            0.0
-        };
-        self.size(r, rz)
-    }
-}
+use crate::vector::{add_scaled, copy};
+use check::check;
+use keep::{advance, commit};
+use system::{Filtered, filtered_norm, search_along};
+pub(crate) use units::Units;
+use units::{add_explicit, add_free, external_impulses};
 
 /// Advances a body by one step. Its cost depends on the mesh, the lengths of the scene's lists and
 /// the settings; not on the state.
@@ -382,7 +297,16 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     if let Some(translations) = space.translations {
         translations.restore(rest, state.v, scene, &units, work.v);
     }
-    if let Some(node) = advance(rest, state, scene, &units, work, couplings) {
+    let lost = advance(
+        rest.points(),
+        state,
+        scene,
+        &units,
+        work.filter,
+        couplings,
+        [&mut *work.p, &mut *work.v],
+    );
+    if let Some(node) = lost {
         return StepReport::refused(Refusal::NonFinite { node });
     }
     let [rhs, residual_before, residual_after] =
@@ -390,7 +314,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     if !(rhs.is_finite() & residual_before.is_finite() & residual_after.is_finite()) {
         return StepReport::refused(Refusal::OutOfRange);
     }
-    commit(state, work);
+    commit(state, [work.p, work.v]);
     fit_rotations::<R::Wide, L>(
         rest,
         state.x,
@@ -410,200 +334,4 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         ..StepReport::NOTHING
     };
     inelastic::update::<R, L>(rest, state, settings, report)
-}
-
-fn check<L: Layout>(
-    rest: &Rest<'_, L>,
-    state: &StateMut<'_>,
-    work: &WorkspaceMut<'_, L>,
-    scene: &Scene<'_>,
-    settings: &Settings,
-) -> Result<(), Refusal> {
-    let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
-    let node_lists = [
-        rest.masses.len(),
-        state.x.len(),
-        state.v.len(),
-        work.filter.len(),
-        work.blocks.len(),
-        work.inertia.len(),
-    ];
-    let vectors = [work.v.len(), work.r.len(), work.p.len(), work.q.len()];
-    let block_lists = [
-        rest.stiffness.len(),
-        state.rotations.len(),
-        work.rotated.len(),
-        work.fans.len(),
-    ];
-    if nodes == 0
-        || node_lists
-            .iter()
-            .chain(&vectors)
-            .any(|&length| length != nodes)
-        || block_lists.iter().any(|&length| length != blocks)
-    {
-        return Err(Refusal::Storage);
-    }
-    inelastic::check(blocks, state, settings)?;
-    if state.history.len() < settings.start.history() * nodes {
-        return Err(Refusal::History);
-    }
-    if work.vectors.len().min(work.products.len()) < settings.start.vectors() * nodes {
-        return Err(Refusal::Vectors);
-    }
-    if let Preconditioner::Factored(factor) = settings.preconditioner
-        && (factor.fingerprint() != rest.header.fingerprint || factor.nodes() != nodes)
-    {
-        return Err(Refusal::Factor);
-    }
-    if let Preconditioner::TwoLevel(aggregates) = settings.preconditioner
-        && aggregates.of().len() != nodes
-    {
-        return Err(Refusal::Aggregates);
-    }
-    if work.coarse.len() < settings.preconditioner.coarse_length() {
-        return Err(Refusal::Coarse);
-    }
-    if !(scene.forces.is_empty() || scene.forces.len() == nodes) {
-        return Err(Refusal::Forces);
-    }
-    let lost = (0_u32..)
-        .zip(scene.pins)
-        .find(|(_, pin)| pin.node as usize >= nodes);
-    lost.map_or(Ok(()), |(pin, _)| Err(Refusal::Pin { pin }))
-}
-
-/// `out` = M v + h f_external
-fn external_impulses(
-    rest: Points<'_>,
-    state: &StateMut<'_>,
-    scene: &Scene<'_>,
-    units: &Units,
-    out: &mut [[f32; 3]],
-) {
-    let fall = (scene.gravity * units.dt).to_array();
-    let per_unit = 1.0 / units.velocity;
-    for ((out, m), v) in out.iter_mut().zip(rest.masses).zip(&*state.v) {
-        let m = m / units.mass;
-        *out = core::array::from_fn(|a| m * ((v[a] + fall[a]) * per_unit));
-    }
-    let push = units.dt / units.impulse;
-    for (out, f) in out.iter_mut().zip(scene.forces) {
-        for axis in 0..3 {
-            out[axis] += push * f[axis];
-        }
-    }
-}
-
-/// `out` += P v(t), over the velocity unit
-#[inline(never)]
-fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32; 3]]) {
-    let per_unit = 1.0 / units.velocity;
-    for ((out, v), p) in out.iter_mut().zip(v).zip(filter) {
-        let free = sym_mul(p, v);
-        *out = core::array::from_fn(|a| out[a] + free[a] * per_unit);
-    }
-}
-
-/// `out` += P M⁻¹b, where M⁻¹b = v + hM⁻¹f
-fn add_explicit(
-    rest: Points<'_>,
-    rhs: &[[f32; 3]],
-    filter: &[Sym3<f32>],
-    units: &Units,
-    out: &mut [[f32; 3]],
-) {
-    for (((out, b), p), m) in out.iter_mut().zip(rhs).zip(filter).zip(rest.masses) {
-        let free = sym_mul(p, b);
-        *out = core::array::from_fn(|a| out[a] + free[a] * (units.mass / m));
-    }
-}
-
-/// ‖P u‖
-fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
-    sqrt(filtered_square(filter, u))
-}
-
-/// ‖P u‖²
-#[inline(never)]
-fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
-    let mut sum = 0.0;
-    for (p, u) in filter.iter().zip(u) {
-        let u = sym_mul(p, u);
-        sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    }
-    sum
-}
-
-/// Line search along the solution itself: P v ⟂ r, so that (8) of the front page holds from rest, too, where
-/// conjugate gradients in f32 have lost their directions' conjugacy. (A start with W has v(t) to hold on to.)
-fn search_along(system: &impl System, filter: &[Sym3<f32>], [v, r, p, q]: [&mut [[f32; 3]]; 4]) {
-    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(filter) {
-        *p = sym_mul(filter, v);
-    }
-    system.apply(p, q);
-    let (rp, pap) = (dot(r, p), dot(p, q));
-    crate::vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
-}
-
-/// v⁺ in m/s into `work.v` and x⁺ into `work.p`. Returns the first node that is not finite.
-fn advance<L: Layout, C: Couple>(
-    rest: &Rest<'_, L>,
-    state: &StateMut<'_>,
-    scene: &Scene<'_>,
-    units: &Units,
-    work: &mut WorkspaceMut<'_, L>,
-    couplings: &mut C,
-) -> Option<u32> {
-    let (h, theta) = (units.dt, units.theta);
-    let old = state.x.iter().zip(&*state.v).zip(&*work.filter);
-    let new = work.p.iter_mut().zip(&mut *work.v);
-    let touched = couplings.touched(rest.masses).len();
-    for (node, (((x, v), p), (x_new, v_new))) in old.zip(new).enumerate() {
-        *v_new = v_new.map(|v| v * units.velocity);
-        // The constrained part of v(t) is that of v⁺.
-        let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
-        *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
-        if !C::SOME || node < touched {
-            land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
-        }
-    }
-    couplings.place(h, units.impulse, units.velocity, work.p, work.v);
-    // Pins go where they are told, whatever is in the way.
-    for pin in scene.pins {
-        let node = pin.node as usize;
-        if let (Some(x), Some(x_new), Some(v_new)) = (
-            state.x.get(node),
-            work.p.get_mut(node),
-            work.v.get_mut(node),
-        ) {
-            *v_new = pin.velocity.to_array();
-            *x_new = core::array::from_fn(|a| x[a] + h * v_new[a]);
-        }
-    }
-    let mut first = None;
-    for (node, (x, v)) in (0_u32..).zip(work.p.iter().zip(&*work.v)) {
-        // 0 · c is 0 where c is finite, else NaN.
-        let [x, v] = [x, v].map(|c| 0.0 * c[0] + 0.0 * c[1] + 0.0 * c[2]);
-        let finite = x + v == 0.0;
-        if !finite && first.is_none() {
-            first = Some(node);
-        }
-    }
-    first
-}
-
-/// Keeps what [`advance`] found.
-fn commit<L: Layout>(state: &mut StateMut<'_>, work: &WorkspaceMut<'_, L>) {
-    let nodes = state.v.len().max(1);
-    let mut later = &mut *state.history;
-    // From the oldest to the latest, each takes over its successor.
-    while let Some(kept) = later.len().checked_sub(nodes) {
-        let (newer, oldest) = later.split_at_mut(kept);
-        let successor = newer.get(kept.saturating_sub(nodes)..).unwrap_or_default();
-        copy(oldest, if kept < nodes { state.v } else { successor });
-        later = newer;
-    }
-    copy(state.v, work.v);
-    copy(state.x, work.p);
 }

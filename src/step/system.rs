@@ -1,0 +1,94 @@
+//! The system of one step as the solver sees it, in the range of the filter P.
+
+use crate::cg::System;
+use crate::coupling::hook::Couple;
+use crate::element::{Layout, Sym3};
+use crate::lane::Lanes;
+use crate::math::{ratio_or_zero, sqrt};
+use crate::operator::Operator;
+use crate::preconditioner::Prepared;
+use crate::vector::{self, dot, sym_mul};
+
+/// The system as the solver sees it.
+pub(super) struct Filtered<'a, L: Layout, R, C> {
+    pub operator: &'a Operator<'a, L>,
+    pub couplings: &'a C,
+    pub preconditioner: Prepared<'a>,
+    /// Whether nodes may touch something.
+    pub touches: bool,
+    pub lanes: core::marker::PhantomData<R>,
+}
+
+impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
+    fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]) {
+        self.operator.apply::<R>(u, out);
+        self.couplings.apply(u, out);
+        self.couplings.project(out);
+    }
+    /// Impulses of contacts are of b's size, and a P whose normal is not along an axis lets a rounding of them
+    /// through. Pins have an exact P.
+    fn confine(&self, q: &mut [[f32; 3]]) {
+        if self.touches {
+            for (q, p) in q.iter_mut().zip(self.preconditioner.filter()) {
+                *q = sym_mul(p, q);
+            }
+        }
+    }
+    #[inline(always)]
+    fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
+        self.preconditioner.apply(r, z);
+        self.couplings.project(z);
+    }
+    fn size(&self, r: &[[f32; 3]], rz: f32) -> f32 {
+        if self.preconditioner.is_cheap() {
+            rz
+        } else {
+            filtered_square(self.preconditioner.filter(), r)
+        }
+    }
+}
+
+impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
+    /// [`System::size`] of any residual; `z` is scratch.
+    #[inline(always)]
+    pub(super) fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
+        let rz = if self.preconditioner.is_cheap() {
+            self.precondition(r, z);
+            dot(r, z)
+        } else {
+            0.0
+        };
+        self.size(r, rz)
+    }
+}
+
+/// ‖P u‖
+pub(super) fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
+    sqrt(filtered_square(filter, u))
+}
+
+/// ‖P u‖²
+#[inline(never)]
+pub(super) fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
+    let mut sum = 0.0;
+    for (p, u) in filter.iter().zip(u) {
+        let u = sym_mul(p, u);
+        sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    }
+    sum
+}
+
+/// Line search along the solution itself: P v ⟂ r, so that (8) of the front page holds from rest, too, where
+/// conjugate gradients in f32 have lost their directions' conjugacy. (A start with W has v(t) to hold on to.)
+pub(super) fn search_along(
+    system: &impl System,
+    filter: &[Sym3<f32>],
+    [v, r, p, q]: [&mut [[f32; 3]]; 4],
+) {
+    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(filter) {
+        *p = sym_mul(filter, v);
+    }
+    system.apply(p, q);
+    let (rp, pap) = (dot(r, p), dot(p, q));
+    vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
+}
