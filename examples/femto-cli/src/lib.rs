@@ -8,6 +8,7 @@ mod bake;
 mod colliders;
 mod coupled;
 mod demo;
+pub mod endurance;
 mod error;
 mod info;
 mod loads;

@@ -326,6 +326,16 @@ impl<'a> Sim<'a> {
         }
     }
 
+    /// Attachments, springs and contacts between bodies, as the last step left them; empty slots weigh nothing.
+    pub fn contacts(&self) -> &[Coupling] {
+        self.joint.as_ref().map_or(&[], |joint| &joint.slots)
+    }
+
+    /// Whose a node of the one system is.
+    pub fn body_of(&self, node: usize) -> usize {
+        self.ranges.partition_point(|range| range.end <= node)
+    }
+
     /// FNV-1a over the bits of all x, then all v, then plastic strain and what has broken, if any, body by body.
     pub fn hash(&self) -> u64 {
         if self.joint.is_some() {

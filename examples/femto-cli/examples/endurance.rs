@@ -1,0 +1,87 @@
+//! Runs the scenes for ten seconds each at several budgets, a tower for longer, and checks what must hold.
+//!
+//! `cargo run --release -p femto-cli --example endurance [SCENE...]`; exit status 1 if anything does not.
+
+use std::process::ExitCode;
+
+use femto_cli::endurance::{Case, Outcome, run};
+
+const BUDGETS: [u32; 4] = [1, 2, 5, 10];
+
+fn main() -> ExitCode {
+    let only: Vec<String> = std::env::args().skip(1).collect();
+    let mut cases = Vec::new();
+    for scene in ["snowman", "bowling", "cars"] {
+        cases.extend(BUDGETS.map(|iterations| Case {
+            scene,
+            iterations,
+            seconds: 10.0,
+            settled: None,
+        }));
+    }
+    // Ten seconds to settle, and a minute.
+    cases.push(Case {
+        scene: "tower",
+        iterations: 5,
+        seconds: 70.0,
+        settled: Some(10.0),
+    });
+    println!(
+        "h = 1/150, 2 sweeps, galerkin-1. Momenta over Σ m|v|, energies over the total at the start.\n"
+    );
+    println!(
+        "| scene | iterations | steps | in the air: error | drift | angular | ground pulls | beyond μ | energy rises | contacts hold | lost | contact | friction | ½m Δv² | depth (m) | ball (m) | dropped | m/min |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    let mut failed = false;
+    for case in cases {
+        if !only.is_empty() && !only.iter().any(|name| name == case.scene) {
+            continue;
+        }
+        match run(&case) {
+            Ok(outcome) => {
+                row(&case, &outcome);
+                for wrong in outcome.wrong() {
+                    failed = true;
+                    println!("WRONG {} {}: {wrong}", case.scene, case.iterations);
+                }
+            }
+            Err(why) => {
+                failed = true;
+                println!("WRONG {}: {why}", case.scene);
+            }
+        }
+    }
+    match failed {
+        true => ExitCode::FAILURE,
+        false => ExitCode::SUCCESS,
+    }
+}
+
+fn row(case: &Case, o: &Outcome) {
+    let some = |x: Option<f64>| x.map_or_else(|| "–".into(), |x| format!("{x:.1e}"));
+    let percent = |x: f64| format!("{:.1} %", 100.0 * x);
+    println!(
+        "| {} | {} | {} of {} | {} × {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} |",
+        case.scene,
+        case.iterations,
+        o.steps,
+        o.asked,
+        o.free,
+        o.free_error,
+        some(o.drift),
+        some(o.angular_drift),
+        percent(o.pull),
+        percent(o.beyond_friction),
+        o.rise,
+        o.stored,
+        percent(o.lost),
+        percent(o.contact),
+        percent(o.friction),
+        percent(o.inertia),
+        o.depth,
+        o.rigid_depth,
+        o.dropped,
+        some(o.creep),
+    );
+}
