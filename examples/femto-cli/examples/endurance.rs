@@ -1,6 +1,6 @@
 //! Runs the scenes for ten seconds each at several budgets, a tower for longer, and checks what must hold.
 //!
-//! `cargo run --release -p femto-cli --example endurance [SCENE...]`; exit status 1 if anything does not.
+//! `cargo run --release -p femto-cli --example endurance [SCENE[/ITERATIONS]...]`; exit status 1 if anything does not.
 
 use std::process::ExitCode;
 
@@ -30,12 +30,13 @@ fn main() -> ExitCode {
         "h = 1/150, 2 sweeps, galerkin-1. Momenta over Σ m|v|, energies over the total at the start.\n"
     );
     println!(
-        "| scene | iterations | steps | in the air: error | drift | angular | ground pulls | beyond μ | energy rises | contacts hold | lost | contact | friction | ½m Δv² | depth (m) | ball (m) | dropped | m/min |"
+        "| scene | iterations | steps | in the air: error | drift | angular | ground pulls | beyond μ | rises above start | above lowest | contacts hold | lost | contact | friction | ½m Δv² | depth (m) | ball (m) | dropped | m/min |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
     let mut failed = false;
     for case in cases {
-        if !only.is_empty() && !only.iter().any(|name| name == case.scene) {
+        let name = format!("{}/{}", case.scene, case.iterations);
+        if !only.is_empty() && !only.iter().any(|o| o == case.scene || *o == name) {
             continue;
         }
         match run(&case) {
@@ -62,7 +63,7 @@ fn row(case: &Case, o: &Outcome) {
     let some = |x: Option<f64>| x.map_or_else(|| "–".into(), |x| format!("{x:.1e}"));
     let percent = |x: f64| format!("{:.1} %", 100.0 * x);
     println!(
-        "| {} | {} | {} of {} | {} × {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} |",
+        "| {} | {} | {} of {} | {} × {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {:.1e} | {} | {} | {} | {} | {:.1e} | {:.1e} | {} | {} |",
         case.scene,
         case.iterations,
         o.steps,
@@ -74,6 +75,7 @@ fn row(case: &Case, o: &Outcome) {
         percent(o.pull),
         percent(o.beyond_friction),
         o.rise,
+        o.returned,
         o.stored,
         percent(o.lost),
         percent(o.contact),

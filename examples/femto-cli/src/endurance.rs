@@ -46,9 +46,11 @@ pub struct Outcome {
     pub pull: f64,
     /// See `pull`.
     pub beyond_friction: f64,
-    /// The most that kinetic, elastic and potential energy and what contacts store rose above the start; 0 for never.
+    /// The most that kinetic, elastic and potential energy rose above the start; 0 for never.
     pub rise: f64,
-    /// The most that contacts stored.
+    /// The most that they rose above what they had sunk to before: what contacts gave back.
+    pub returned: f64,
+    /// The most that closed contacts stored as ½kd².
     pub stored: f64,
     /// Lost in all, and of that: to contact between bodies, along the normal and by friction, and as ½m|Δv|² of
     /// backward Euler. The rest is its ½h²vᵀKv and what the ground takes.
@@ -139,7 +141,7 @@ fn follow(scene: &Scene, sim: &mut Sim, steps: u32, settled: Option<u32>) -> Out
     };
     let mut resting = None;
     let whole = start.energy.total();
-    let mut lowest = whole;
+    let (mut now, mut lowest) = (whole, whole);
     while out.steps < steps {
         if settled == Some(out.steps) {
             resting = Some(positions(sim));
@@ -151,14 +153,15 @@ fn follow(scene: &Scene, sim: &mut Sim, steps: u32, settled: Option<u32>) -> Out
         out.dropped += u64::from(info.dropped);
         account.step(sim);
         if out.steps % LOOK == 0 || out.steps == steps {
-            let stored = account.stored(sim);
-            lowest = sim.measure().energy.total();
-            out.stored = out.stored.max(stored / whole);
-            out.rise = out.rise.max((lowest + stored - whole) / whole);
+            now = sim.measure().energy.total();
+            lowest = lowest.min(now);
+            out.stored = out.stored.max(account.stored(sim) / whole);
+            out.rise = out.rise.max((now - whole) / whole);
+            out.returned = out.returned.max((now - lowest) / whole);
         }
     }
     account.finish(&mut out, whole);
-    out.lost = (whole - lowest) / whole;
+    out.lost = (whole - now) / whole;
     if scene.colliders.is_empty() {
         let spin = |l: [f64; 3]| glam::DVec3::from(l);
         let (before, after) = (spin(start.angular), spin(sim.measure().angular));
