@@ -21,6 +21,8 @@ pub struct Case {
     pub scene: &'static str,
     /// CG iterations; the rest of the budget is the default.
     pub iterations: u32,
+    /// Start `rigid-1`, which keeps angular momentum too, instead of the default, `galerkin-1`.
+    pub rigid: bool,
     /// How long, simulated.
     pub seconds: f64,
     /// Of these, those after which bodies must rest.
@@ -119,7 +121,10 @@ pub fn run(case: &Case) -> Result<Outcome, String> {
     let mut scene = scene::load(&path).map_err(|e| e.to_string())?;
     scene.budget.iterations = case.iterations;
     scene.budget.polar_sweeps = 2;
-    scene.start = Start::Galerkin(1);
+    scene.start = match case.rigid {
+        true => Start::Rigid(1),
+        false => Start::Galerkin(1),
+    };
     let factors = Factors::new(&scene).map_err(|e| e.to_string())?;
     let mut sim = Sim::new(&scene, &factors).map_err(|e| e.to_string())?;
     let steps = |seconds: f64| (seconds / scene.dt).round() as u32;
