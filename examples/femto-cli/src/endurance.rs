@@ -81,6 +81,8 @@ pub mod bound {
     pub const RISE: f64 = 1e-3;
     /// Nodes are put back on the ground: rounding of coordinates, which are below 64 m.
     pub const DEPTH: f64 = 64.0 * f32::EPSILON as f64;
+    /// A rigid ball of radius 0.28 m, on springs that its weight presses in by h²g/4 = 0.1 mm: a hundredth of its radius.
+    pub const RIGID_DEPTH: f64 = 2.8e-3;
     /// A tower that stands moves by less in a minute: a hundredth of a cube's side.
     pub const CREEP: f64 = 2e-3;
 }
@@ -96,6 +98,11 @@ impl Outcome {
             ("drift of momentum", self.drift.unwrap_or(0.0), drift),
             ("rise of energy", self.rise, bound::RISE),
             ("depth below the ground", self.depth, bound::DEPTH),
+            (
+                "depth of a rigid body",
+                self.rigid_depth,
+                bound::RIGID_DEPTH,
+            ),
             ("dropped contacts", self.dropped as f64, 0.0),
             ("creep at rest", self.creep.unwrap_or(0.0), bound::CREEP),
         ];
