@@ -164,7 +164,7 @@ fn follow(scene: &Scene, sim: &mut Sim, steps: u32, settled: Option<u32>) -> Out
         out.steps += 1;
         out.dropped += u64::from(info.dropped);
         account.step(sim);
-        if out.steps % LOOK == 0 || out.steps == steps {
+        if out.steps.is_multiple_of(LOOK) || out.steps == steps {
             now = sim.measure().energy.total();
             lowest = lowest.min(now);
             out.stored = out.stored.max(account.stored(sim) / whole);
