@@ -64,3 +64,37 @@ fn what_does_not_hold_is_named() {
     assert!(bad(|o| o.dropped = 1).contains("dropped"));
     assert!(bad(|o| o.creep = Some(0.01)).contains("creep"));
 }
+
+#[test]
+fn every_scene_of_the_folder_runs() {
+    let scenes = [
+        "bodies",
+        "bowling",
+        "cantilever",
+        "cars",
+        "clay",
+        "snowman",
+        "tear",
+        "tower",
+        "twist",
+    ];
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+    let files = std::fs::read_dir(folder).expect("the folder of scenes");
+    let names = files.map(|f| f.expect("a file").file_name().into_string());
+    let count = names.filter(|n| n.as_ref().is_ok_and(|n| n.ends_with(".toml")));
+    assert_eq!(count.count(), scenes.len());
+    for scene in scenes {
+        let case = Case {
+            scene,
+            iterations: 5,
+            rigid: false,
+            seconds: 0.03,
+            settled: None,
+        };
+        let outcome = run(&case).expect("a scene that runs");
+        assert!(
+            outcome.steps >= 4 && outcome.steps == outcome.asked,
+            "{outcome:?}"
+        );
+    }
+}
