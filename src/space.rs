@@ -64,13 +64,7 @@ impl Translate for Translations<'_> {
             }
         }
         let speed = sum.map(|s| s * self.per_mass / self.mass_factor);
-        for ((v, r), m) in v.iter_mut().zip(r).zip(self.masses) {
-            let m = self.mass_factor * m;
-            for axis in 0..3 {
-                v[axis] += speed[axis];
-                r[axis] -= m * speed[axis];
-            }
-        }
+        add_motion(speed, self.mass_factor, self.masses, v, r);
     }
 
     fn restore<L: Layout>(
@@ -82,6 +76,24 @@ impl Translate for Translations<'_> {
         v: &mut [[f32; 3]],
     ) {
         keep_momentum(rest.points(), before, scene, units, self.per_mass > 0.0, v);
+    }
+}
+
+/// v += t and r −= c_M M t, for a translation t.
+#[inline(always)]
+pub(crate) fn add_motion(
+    t: [f32; 3],
+    mass_factor: f32,
+    masses: &[f32],
+    v: &mut [[f32; 3]],
+    r: &mut [[f32; 3]],
+) {
+    for ((v, r), m) in v.iter_mut().zip(r).zip(masses) {
+        let m = mass_factor * m;
+        for axis in 0..3 {
+            v[axis] += t[axis];
+            r[axis] -= m * t[axis];
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::element::{Layout, Sym3};
 use crate::math::{Mask, ratio_or_zero};
 use crate::rest::Rest;
 use crate::scene::Scene;
-use crate::space::Translate;
+use crate::space::{Translate, add_motion};
 use crate::step::Units;
 use crate::vector::momentum;
 
@@ -173,16 +173,10 @@ impl Translate for IslandTranslations<'_> {
         });
         self.islands.spread(&means, |nodes, mean| {
             let speed = mean.map(|s| s / self.mass_factor);
-            let vectors = v.get_mut(nodes.clone()).unwrap_or_default().iter_mut();
-            let residual = r.get_mut(nodes.clone()).unwrap_or_default();
+            let v = v.get_mut(nodes.clone()).unwrap_or_default();
+            let r = r.get_mut(nodes.clone()).unwrap_or_default();
             let masses = self.masses.get(nodes).unwrap_or_default();
-            for ((v, r), m) in vectors.zip(residual).zip(masses) {
-                let m = self.mass_factor * m;
-                for axis in 0..3 {
-                    v[axis] += speed[axis];
-                    r[axis] -= m * speed[axis];
-                }
-            }
+            add_motion(speed, self.mass_factor, masses, v, r);
         });
     }
 
