@@ -11,7 +11,7 @@
 //!
 //! ```text
 //! N = −(w − s⁻)·n − d/h         impulse (over a) that would keep the node out
-//! active:  N > 0, and d ≤ margin or d + h (v − s + h g)·n < 0;   or d > margin and d + h (v − s)·n < 0
+//! active:  N > 0;   or d > margin and d + h (v − s)·n < 0
 //! it moves with the surface, c·n = s·n, and closes the gap: c_gap·n = −τ max(d, 0)/h with 0 ≤ τ ≤ 1
 //! |w_t − s⁻_t| ≤ μN: it sticks, c_t = s_t
 //! else it slides:     −γ (v⁺_t − s_t) acts on it, γ = aμN / (|w_t − s⁻_t| − μN)
@@ -83,7 +83,6 @@ pub(crate) struct ContactStep<'a> {
     pub masses: &'a [f32],
     pub x: &'a [[f32; 3]],
     pub v: &'a [[f32; 3]],
-    pub gravity: Vec3,
     pub dt: f32,
     pub length_unit: f32,
     pub mass_unit: f32,
@@ -159,13 +158,11 @@ pub(crate) fn touch(
             let (before, s) = (surface.before, surface.velocity); // s⁻, s
             let keep = -((w - before).dot(n) + d * per_dt); // N
             let approach = d + step.dt * (v - s).dot(n);
-            let fall = approach + step.dt * step.dt * step.gravity.dot(n);
             let meets = (d > margin) & (approach < 0.0);
-            let pressed = (keep > 0.0) & ((d <= margin) | (fall < 0.0));
             // What earlier constraints leave of the normal.
             let free = sym_mul(p, &n.to_array());
             let share = n.dot(Vec3::from_array(free));
-            let active = (meets | pressed) & (share > 1e-3);
+            let active = (meets | (keep > 0.0)) & (share > 1e-3);
             contacts += u32::from(active);
             let open = select(d > 0.0, -(d * per_dt), 0.0);
             target(active, c, &free, share, n, s.dot(n));

@@ -10,115 +10,12 @@
 
 mod support;
 
-use femto::body::StateRef;
-use femto::owned::OwnedBody;
-use femto::settings::{Preconditioner, Settings, Start};
-use nalgebra::{DVector, Matrix3, Quaternion, UnitQuaternion};
+use femto::settings::{Preconditioner, Start};
 use proptest::prelude::*;
+use support::account::{Account, account};
 use support::factors;
 use support::meshes::{TetMesh, box_mesh, chain, jitter, noise, single_tet, two_pieces};
-use support::reference::{Reference, stack};
 use support::scenes::{self, Setup};
-
-const EPS: f64 = f32::EPSILON as f64;
-
-/// The rotations that a state holds, as matrices in f64, tetrahedron by tetrahedron.
-fn frozen_rotations(state: &StateRef<'_>, tets: usize) -> Vec<Matrix3<f64>> {
-    let lanes = state
-        .rotations
-        .iter()
-        .flat_map(|block| (0..8).map(move |l| block.0.map(|c| f64::from(c[l]))));
-    lanes
-        .take(tets)
-        .map(|[w, x, y, z]| {
-            *UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z))
-                .to_rotation_matrix()
-                .matrix()
-        })
-        .collect()
-}
-
-/// Kinetic, frozen elastic and potential energy, and the potential of the constant forces.
-fn energy(oracle: &Reference, x: &DVector<f64>, v: &DVector<f64>, q: &[Matrix3<f64>]) -> f64 {
-    let kinetic = 0.5 * v.component_mul(&oracle.mass()).dot(v);
-    kinetic + oracle.elastic_energy_frozen(x, q) - oracle.external_forces().dot(x)
-}
-
-/// What one step did to the energy.
-struct Account {
-    /// E⁺ − E
-    rise: f64,
-    /// What the theorem says must go: ½‖v⁺ − v‖²_M + ½h²‖v⁺‖²_K + h‖v⁺‖²_D
-    loss: f64,
-    /// What rounding can do to either.
-    rounding: f64,
-    /// Kinetic and elastic energy before.
-    energy: f64,
-}
-
-/// Takes a step and draws up its account. The oracle's x and v are overwritten.
-fn account(setup: &Setup, body: &mut OwnedBody, settings: &Settings) -> Account {
-    let mut oracle = setup.reference();
-    let (h, pins) = (oracle.h, setup.pin_list());
-    let q = frozen_rotations(&body.state().view(), setup.mesh.tets.len());
-    let (x, v) = (stack(body.positions()), stack(body.velocities()));
-    let before = energy(&oracle, &x, &v, &q);
-    let net = oracle.elastic_forces(&x, &q) + oracle.external_forces();
-    let edge = longest_edge(setup, body.positions());
-    let report = body.step(&setup.scene(&pins), settings);
-    assert!(report.advanced(), "{report:?}");
-    let (v_old, x_old) = (v, x);
-    let (x, v) = (stack(body.positions()), stack(body.velocities()));
-
-    let (k, mass) = (oracle.stiffness(&q), oracle.mass());
-    let (change, kv, mv) = (&v - &v_old, &k * &v, v.component_mul(&mass));
-    let damped = oracle.alpha * mv.dot(&v) + oracle.beta * kv.dot(&v);
-    let loss =
-        0.5 * change.component_mul(&mass).dot(&change) + 0.5 * h * h * kv.dot(&v) + h * damped;
-
-    // Rounding: a relative ε in every term of v⁺ᵀ(Av⁺ − b), where the errors of a row add up like
-    // noise. f_el is a sum of K times edges; x⁺ is rounded where a force acts.
-    let rows = |u: &DVector<f64>| {
-        DVector::from_fn(k.nrows(), |i, _| {
-            k.row(i)
-                .iter()
-                .zip(u)
-                .map(|(k, u)| (k * u).powi(2))
-                .sum::<f64>()
-                .sqrt()
-        })
-    };
-    let held = rows(&v) * (h * h + h * oracle.beta);
-    let fallen = rows(&DVector::repeat(k.nrows(), edge)) * h;
-    let inertia =
-        (v.map(f64::abs) + v_old.map(f64::abs)).component_mul(&mass) * (1.0 + h * oracle.alpha);
-    let pushed = oracle.external_forces() * h;
-    let solved = [held, fallen, inertia, pushed]
-        .iter()
-        .map(|noise| noise.component_mul(&v).norm())
-        .sum::<f64>();
-    let moved = net.component_mul(&x).norm() + EPS * rows(&x).component_mul(&x).norm();
-    oracle.x = x_old;
-    Account {
-        rise: energy(&oracle, &x, &v, &q) - before,
-        loss,
-        rounding: EPS * (solved + moved),
-        energy: 0.5 * v_old.component_mul(&mass).dot(&v_old)
-            + oracle.elastic_energy_frozen(&oracle.x, &q),
-    }
-}
-
-fn longest_edge(setup: &Setup, x: &[[f32; 3]]) -> f64 {
-    let at = |node: u32| nalgebra::Vector3::from(x[node as usize].map(f64::from));
-    let pairs = setup
-        .mesh
-        .tets
-        .iter()
-        .flat_map(|t| t.iter().flat_map(move |&a| t.iter().map(move |&b| (a, b))));
-    pairs
-        .map(|(a, b)| (at(a) - at(b)).norm())
-        .fold(0.0, f64::max)
-}
 
 fn mesh() -> impl Strategy<Value = TetMesh> {
     let kind = prop_oneof![
@@ -224,7 +121,8 @@ proptest! {
             for (past, i) in slots.zip(0_u64..) {
                 past.copy_from_slice(&if parallel { setup.v.clone() } else { noise(past.len(), 1.0, seed ^ i) });
             }
-            let account = account(&setup, &mut body, &settings);
+            let pins = setup.pin_list();
+            let account = account(&setup, &mut body, &setup.scene(&pins), &settings);
             let checked = check(&account, start, iterations);
             prop_assert!(checked.is_ok(), "{}: {}", factors::name(which), checked.unwrap_err());
         }
@@ -261,9 +159,11 @@ fn energy_never_rises_along_truncated_runs() {
             for iterations in [0, 1, 2, 5, 20] {
                 let mut body = setup.body(start);
                 for step in 0..30 {
+                    let pins = setup.pin_list();
                     let account = account(
                         setup,
                         &mut body,
+                        &setup.scene(&pins),
                         &setup.solver(start, Preconditioner::Jacobi, iterations),
                     );
                     if let Err(why) = check(&account, start, iterations) {
@@ -288,7 +188,8 @@ fn the_velocity_start_violates_it() {
         let mut body = setup.body(Start::Velocity);
         for _ in 0..100 {
             let settings = setup.solver(Start::Velocity, Preconditioner::Jacobi, iterations);
-            let account = account(&setup, &mut body, &settings);
+            let pins = setup.pin_list();
+            let account = account(&setup, &mut body, &setup.scene(&pins), &settings);
             println!(
                 "V {iterations} {} {} {}",
                 account.rise / account.energy,

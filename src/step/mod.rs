@@ -22,6 +22,7 @@
 //! untouched without a copy of it.
 
 mod check;
+mod guard;
 mod keep;
 mod system;
 mod units;
@@ -139,7 +140,6 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         masses: couplings.touched(rest.masses),
         x: state.x,
         v: state.v,
-        gravity: scene.gravity,
         dt: units.dt,
         length_unit: rest.header.length_unit,
         mass_unit: units.mass,
@@ -297,12 +297,37 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     if let Some(translations) = space.translations {
         translations.restore(rest, state.v, scene, &units, work.v);
     }
+    let share = if settings.guards_energy() && !C::SOME && !scene.colliders.is_empty() {
+        let landed = guard::displacements(rest.points(), state, scene, &units, work.v, work.p);
+        system.apply(work.p, work.q);
+        // b, once more; the rotated stiffness gets the values that it has.
+        external_impulses(rest.points(), state, scene, &units, work.r);
+        inelastic::rotate_state::<R, L>(
+            rest,
+            state,
+            units.dt / units.impulse,
+            work.rotated,
+            work.r,
+        );
+        let share = guard::share(
+            rest.points(),
+            state,
+            scene,
+            &units,
+            [work.p, work.q, work.r],
+        );
+        let acts = (landed | (contacts > 0)) & !scene.moves() & (units.theta == 1.0);
+        Some(select(acts, share, 1.0))
+    } else {
+        None
+    };
     let lost = advance(
         rest.points(),
         state,
         scene,
         &units,
         work.filter,
+        share,
         couplings,
         [&mut *work.p, &mut *work.v],
     );

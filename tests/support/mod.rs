@@ -3,6 +3,7 @@
 // Each test file compiles its own copy of this module and uses a part of it.
 #![allow(dead_code)]
 
+pub mod account;
 pub mod factors;
 pub mod ground;
 pub mod meshes;

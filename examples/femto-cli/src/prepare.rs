@@ -52,10 +52,15 @@ pub fn settings(scene: &Scene) -> Result<Settings<'static>, Error> {
             why: e.to_string(),
         }
     })?;
-    Ok(settings
+    let settings = settings
         .with_budget(budget)
         .with_start(start)
-        .with_preconditioner(preconditioner))
+        .with_preconditioner(preconditioner);
+    Ok(if scene.solver.energy_guard {
+        settings.with_energy_guard()
+    } else {
+        settings
+    })
 }
 
 pub fn material(body: &Body) -> Result<Material, MaterialError> {

@@ -139,6 +139,8 @@ pub struct Solver {
     pub preconditioner: String,
     pub start: String,
     pub layout: String,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub energy_guard: bool,
 }
 
 impl Default for Solver {
@@ -147,6 +149,7 @@ impl Default for Solver {
             preconditioner: "jacobi".into(),
             start: "galerkin-1".into(),
             layout: "factored".into(),
+            energy_guard: false,
         }
     }
 }
