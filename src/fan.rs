@@ -12,7 +12,7 @@
 //! The order of sums is that of the blocks: a ring node after its last tetrahedron, at the end of a fan its
 //! last ring node, axis and apex; each lane by lane.
 
-use crate::algebra::{sub3, zero3};
+use crate::algebra::{each3, sub3, zero3};
 use crate::element::Layout;
 use crate::lane::{BLOCK, Lanes};
 use crate::rest::{Rest, TetBlock};
@@ -104,7 +104,7 @@ impl<R: Lanes> Edges<R> {
                 [zero3(); 3]
             } else {
                 let corner = |corner: usize| R::gather(u, &nodes[corner], at);
-                [APEX, AXIS, RING].map(|node| corner(node).unwrap_or(zero3()))
+                each3([APEX, AXIS, RING], |node| corner(node).unwrap_or(zero3()))
             };
             Self {
                 apex,
