@@ -9,6 +9,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use wide::{f32x4, f32x8};
 
+use crate::algebra::each3;
 use crate::math::{self, Mask};
 
 /// Tetrahedra in one storage block.
@@ -278,8 +279,7 @@ fn half<T>(block: &[T; BLOCK], at: usize) -> &[T; 4] {
 
 #[inline(always)]
 fn join(low: f32x4, high: f32x4) -> f32x8 {
-    let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
-    f32x8::new([a, b, c, d, e, f, g, h])
+    bytemuck::cast([low, high])
 }
 
 impl Real for f32x4 {
@@ -401,11 +401,10 @@ impl Lanes for f32x8 {
         nodes: &[u32; BLOCK],
         _at: usize,
     ) {
-        let low = |x: &f32x8| f32x4::new(*half(x.as_array(), 0));
-        let high = |x: &f32x8| f32x4::new(*half(x.as_array(), 4));
-        for (k, [x, y, z]) in values.as_chunks::<3>().0.iter().enumerate() {
-            scatter4([low(x), low(y), low(z)], sums, k, half(nodes, 0));
-            scatter4([high(x), high(y), high(z)], sums, k, half(nodes, 4));
+        for (k, values) in values.as_chunks::<3>().0.iter().enumerate() {
+            let [[x, u], [y, v], [z, w]] = each3(*values, bytemuck::cast::<f32x8, [f32x4; 2]>);
+            scatter4([x, y, z], sums, k, half(nodes, 0));
+            scatter4([u, v, w], sums, k, half(nodes, 4));
         }
     }
 }
