@@ -230,7 +230,7 @@ fn gather4(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [f32x4; 3] {
         four(vectors, c),
         four(vectors, d),
     ) else {
-        return gather_last(vectors, nodes).map(f32x4::new);
+        return gather_last(vectors, nodes).0.map(f32x4::new);
     };
     let rows = [
         f32x4::new(*a),
@@ -245,10 +245,15 @@ fn gather4(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [f32x4; 3] {
 /// Where one of them is the last of all.
 #[cold]
 #[inline(never)]
-fn gather_last(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> [[f32; 4]; 3] {
+fn gather_last(vectors: &[[f32; 3]], nodes: &[u32; 4]) -> Turned {
     let rows = nodes.map(|n| node(vectors, n));
-    core::array::from_fn(|axis| rows.map(|row| row[axis]))
+    Turned(core::array::from_fn(|axis| rows.map(|row| row[axis])))
 }
+
+/// `[axis][lane]`. Whoever holds it has an aligned stack: else half of the eight lanes that a loop keeps there would
+/// lie across two lines of the cache.
+#[cfg_attr(target_feature = "avx", repr(align(32)))]
+struct Turned([[f32; 4]; 3]);
 
 /// Turns four lanes back to rows, so that a node's numbers 3k, 3k + 1 and 3k + 2 are added side by side. Written
 /// out: loops over lanes would go through memory.
