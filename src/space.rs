@@ -9,7 +9,7 @@ use crate::rest::{Points, Rest};
 use crate::scene::Scene;
 use crate::settings::Start;
 use crate::step::Units;
-use crate::vector::{add_scaled, advance, dot, momentum, sym_mul};
+use crate::vector::{add_scaled, advance, dot, momentum, scale_or_clear, sym_mul};
 
 /// Translations in W, of what nothing holds.
 pub(crate) trait Translate {
@@ -159,9 +159,8 @@ impl<T: Translate> Space<'_, T> {
                 & square.is_finite();
             let usable = Mask::of(usable);
             let scale = 1.0 / sqrt(usable.pick(square, 1.0));
-            for x in w.as_flattened_mut().iter_mut().chain(aw.as_flattened_mut()) {
-                *x = usable.keep(*x * scale);
-            }
+            scale_or_clear(w, scale, usable);
+            scale_or_clear(aw, scale, usable);
         }
     }
 

@@ -5,6 +5,7 @@
 
 use crate::element::Sym3;
 use crate::lane::{Lanes, Native};
+use crate::math::Mask;
 
 /// Running sums of a dot product.
 pub(crate) const SUMS: usize = 8;
@@ -82,6 +83,14 @@ pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {
 #[inline(never)]
 pub fn scale_and_add(y: &mut [[f32; 3]], b: f32, x: &[[f32; 3]]) {
     pairs(y, x, |y, x| *y = x + b * *y);
+}
+
+/// y *= a where `usable`, else y = 0, whatever it was
+#[inline(never)]
+pub(crate) fn scale_or_clear(y: &mut [[f32; 3]], a: f32, usable: Mask) {
+    for y in y.as_flattened_mut() {
+        *y = usable.keep(*y * a);
+    }
 }
 
 /// S v
