@@ -88,6 +88,9 @@ pub trait Lanes: Real {
     type Bites<T: Copy>: AsRef<[T]> + AsMut<[T]>;
     /// The lanes for long chains of arithmetic on few numbers: wider, where the processor would wait.
     type Wide: Lanes;
+    /// Whether such a chain is better taken for two blocks at once. With sixteen registers of four lanes, eight lanes are two
+    /// already, and one lane has too few.
+    const TWO: bool = false;
     /// `make` of each bite's first lane.
     fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T>;
     /// Lanes `at .. at + WIDTH` of a block's component.
@@ -381,6 +384,7 @@ impl Lanes for f32x8 {
     const WIDTH: usize = 8;
     type Bites<T: Copy> = [T; 1];
     type Wide = f32x8;
+    const TWO: bool = cfg!(target_feature = "avx");
     #[inline(always)]
     fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T> {
         [make(0)]

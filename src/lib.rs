@@ -146,6 +146,7 @@ pub mod operator;
 pub mod order;
 #[cfg(feature = "alloc")]
 pub mod owned;
+mod pair;
 #[cfg(feature = "plasticity")]
 pub mod plasticity;
 pub mod polar;

@@ -8,9 +8,10 @@ use crate::algebra::{each3, each4, scale3, zero3};
 use crate::element::{Bite, Layout, Sym3, deformation, gradients};
 use crate::fan::{Edges, Sums, fans, lanes, last};
 use crate::inelastic::Share;
-use crate::lane::{BLOCK, Lanes};
+use crate::lane::{BLOCK, Lanes, Real};
+use crate::pair::Pair;
 use crate::polar::{self, Quaternion};
-use crate::rest::Rest;
+use crate::rest::{Rest, TetBlock};
 
 /// Rotations of eight tetrahedra as quaternions, `[component][lane]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -212,19 +213,52 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
     let mut rotations = rotations.iter_mut();
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
-        for (tet, rotation) in fan.iter().zip(rotations.by_ref()) {
+        let none: &[[TetBlock; 2]] = &[];
+        let (twos, ones) = if R::TWO { fan.as_chunks() } else { (none, fan) };
+        for ([one, two], (first, second)) in twos.iter().zip(core::iter::from_fn(|| {
+            rotations.next().zip(rotations.next())
+        })) {
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let Some(edges) = edges.advance(x, &tet.corners, at) else {
+                let f = deformations(edges, x, one, at).zip(deformations(edges, x, two, at));
+                let Some((f, g)) = f else {
                     continue;
                 };
-                let f = deformation(&edges, &gradients::<R>(tet, at));
-                let q = match fit {
-                    Fit::Warm(sweeps) => polar::sweeps(&rotation.load::<R>(at), &f, sweeps),
-                    Fit::Cold => polar::nearest_rotation(&f),
-                };
-                rotation.store(q, at);
+                let f = core::array::from_fn(|i| core::array::from_fn(|j| Pair(f[i][j], g[i][j])));
+                let (p, q) = (first.load::<R>(at), second.load::<R>(at));
+                let q = fitted(&core::array::from_fn(|k| Pair(p[k], q[k])), &f, fit);
+                first.store(q.map(|q| q.0), at);
+                second.store(q.map(|q| q.1), at);
             }
         }
+        for (tet, rotation) in ones.iter().zip(rotations.by_ref()) {
+            for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
+                let Some(f) = deformations(edges, x, tet, at) else {
+                    continue;
+                };
+                rotation.store(fitted(&rotation.load::<R>(at), &f, fit), at);
+            }
+        }
+    }
+}
+
+/// F of the next tetrahedra.
+#[inline(always)]
+fn deformations<R: Lanes>(
+    edges: &mut Edges<R>,
+    x: &[[f32; 3]],
+    tet: &TetBlock,
+    at: usize,
+) -> Option<[[R; 3]; 3]> {
+    let edges = edges.advance(x, &tet.corners, at)?;
+    Some(deformation(&edges, &gradients::<R>(tet, at)))
+}
+
+/// `q` fitted to F.
+#[inline(always)]
+fn fitted<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], fit: Fit) -> Quaternion<R> {
+    match fit {
+        Fit::Warm(sweeps) => polar::sweeps(q, f, sweeps),
+        Fit::Cold => polar::nearest_rotation(f),
     }
 }
 
