@@ -66,6 +66,8 @@ pub trait Real:
     type Mask: Copy;
     /// Where `self < bound`; not where either is NaN.
     fn below(self, bound: Self) -> Self::Mask;
+    /// Where both hold.
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// Lane by lane, `yes` where the mask holds, else `no`.
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Lane by lane, `(b, a)` where the mask holds, else `(a, b)`.
@@ -128,6 +130,10 @@ impl Real for f32 {
         Mask::of(self < bound)
     }
     #[inline(always)]
+    fn both(a: Mask, b: Mask) -> Mask {
+        a.and(b)
+    }
+    #[inline(always)]
     fn pick(mask: Mask, yes: Self, no: Self) -> Self {
         mask.pick(yes, no)
     }
@@ -155,6 +161,10 @@ impl Real for f64 {
     #[inline(always)]
     fn below(self, bound: Self) -> bool {
         self < bound
+    }
+    #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a & b
     }
     #[inline(always)]
     fn pick(mask: bool, yes: Self, no: Self) -> Self {
@@ -313,6 +323,10 @@ impl Real for f32x4 {
         self.simd_lt(bound)
     }
     #[inline(always)]
+    fn both(a: Self, b: Self) -> Self {
+        a & b
+    }
+    #[inline(always)]
     fn pick(mask: Self, yes: Self, no: Self) -> Self {
         mask.select(yes, no)
     }
@@ -373,6 +387,10 @@ impl Real for f32x8 {
     #[inline(always)]
     fn below(self, bound: Self) -> Self {
         self.simd_lt(bound)
+    }
+    #[inline(always)]
+    fn both(a: Self, b: Self) -> Self {
+        a & b
     }
     #[inline(always)]
     fn pick(mask: Self, yes: Self, no: Self) -> Self {

@@ -71,6 +71,13 @@ impl Mask {
         Self(core::hint::black_box(u32::from(condition).wrapping_neg()))
     }
 
+    /// Whether both conditions held.
+    #[inline]
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
     /// `yes` if the condition held, else `no`.
     #[inline]
     #[must_use]

@@ -1,9 +1,9 @@
 //! The rotation of a node: what turns a factor of the rest matrix with the body.
 
+use crate::algebra::{add3, dot3, scale3, sub3};
 use crate::element::{Layout, Sym3};
 use crate::fan::{Sums, fans, lanes, last};
-use crate::lane::Lanes;
-use crate::math::{Mask, sqrt};
+use crate::lane::{BLOCK, Lanes, Real};
 use crate::operator::RotationBlock;
 use crate::polar;
 use crate::rest::Rest;
@@ -31,32 +31,66 @@ pub(super) fn average_rotations<R: Lanes, L: Layout>(
             for (sums, at) in sums.as_mut().iter_mut().zip(lanes::<R>()) {
                 let weight = R::load(&tet.mu_v, at);
                 let [[a, b, c], [d, e, f], _] = polar::matrix(&rotation.load::<R>(at));
-                let rows = [a, b, c, d, e, f].map(|x| x * weight);
+                let rows = [
+                    a * weight,
+                    b * weight,
+                    c * weight,
+                    d * weight,
+                    e * weight,
+                    f * weight,
+                ];
                 sums.add(&[rows; 4], out, &tet.corners, at);
             }
         }
         Sums::<R, 6>::close(&sums, out, last(fan));
     }
-    for rows in out {
-        *rows = orthonormal(rows);
+    if R::WIDTH == 1 {
+        for rows in out {
+            *rows = orthonormal(rows);
+        }
+    } else {
+        for nodes in out.chunks_mut(BLOCK) {
+            side_by_side::<R::Wide>(nodes);
+        }
+    }
+}
+
+/// [`orthonormal`] of a block of nodes.
+#[inline(always)]
+fn side_by_side<R: Lanes>(nodes: &mut [Rows]) {
+    let mut block = [[0.0; BLOCK]; 6];
+    for (lane, rows) in (0..BLOCK).zip(&*nodes) {
+        for (numbers, x) in block.iter_mut().zip(rows) {
+            numbers[lane] = *x;
+        }
+    }
+    for at in lanes::<R>() {
+        let rows = core::array::from_fn(|k| R::load(&block[k], at));
+        for (x, numbers) in orthonormal(&rows).iter().zip(&mut block) {
+            x.store(numbers, at);
+        }
+    }
+    for (lane, rows) in (0..BLOCK).zip(nodes) {
+        *rows = core::array::from_fn(|k| block[k][lane]);
     }
 }
 
 /// The nearest two orthonormal rows; [`UPRIGHT`] where the average says nothing.
-#[inline]
-fn orthonormal(rows: &Rows) -> Rows {
+#[inline(always)]
+fn orthonormal<R: Real>(rows: &Sym3<R>) -> Sym3<R> {
     let &[a, b, c, d, e, f] = rows;
     let (first, one) = unit(&[a, b, c]);
     let (second, two) = unit(&[d, e, f]);
     // Of two unit vectors, sum and difference are orthogonal; they halve the angle between the rows.
-    let (sum, three) = unit(&core::array::from_fn(|k| first[k] + second[k]));
-    let (difference, four) = unit(&core::array::from_fn(|k| first[k] - second[k]));
-    let [x, y, z] = core::array::from_fn(|k| HALF_SQRT * (sum[k] + difference[k]));
-    let [u, v, w] = core::array::from_fn(|k| HALF_SQRT * (sum[k] - difference[k]));
-    let usable = Mask::of(one & two & three & four);
+    let (sum, three) = unit(&add3(&first, &second));
+    let (difference, four) = unit(&sub3(&first, &second));
+    let half = R::splat(HALF_SQRT);
+    let [x, y, z] = scale3(&add3(&sum, &difference), half);
+    let [u, v, w] = scale3(&sub3(&sum, &difference), half);
+    let usable = R::both(R::both(one, two), R::both(three, four));
     let mut out = [x, y, z, u, v, w];
     for (x, upright) in out.iter_mut().zip(UPRIGHT) {
-        *x = usable.pick(*x, upright);
+        *x = R::pick(usable, *x, R::splat(upright));
     }
     out
 }
@@ -66,15 +100,18 @@ const HALF_SQRT: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
 /// u over its length, and whether it has one (in f32's range, squared).
 #[inline(never)]
-fn unit(u: &[f32; 3]) -> ([f32; 3], bool) {
+fn unit<R: Real>(u: &[R; 3]) -> ([R; 3], R::Mask) {
+    let one = R::splat(1.0);
     // By the sum of magnitudes first: squares of stiffnesses can leave the range of f32.
     let size = u[0].abs() + u[1].abs() + u[2].abs();
-    let usable = (size > f32::MIN_POSITIVE * 16.0) & size.is_finite();
-    let inverse = 1.0 / Mask::of(usable).pick(size, 1.0);
-    let u = u.map(|x| x * inverse);
-    let square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    let inverse = 1.0 / sqrt(Mask::of(usable).pick(square, 1.0));
-    (u.map(|x| x * inverse), usable)
+    let usable = R::both(
+        R::splat(f32::MIN_POSITIVE * 16.0).below(size),
+        size.below(R::splat(f32::INFINITY)),
+    );
+    let u = scale3(u, one / R::pick(usable, size, one));
+    let square = dot3(&u, &u);
+    let inverse = one / R::pick(usable, square, one).sqrt();
+    (scale3(&u, inverse), usable)
 }
 
 /// R u
