@@ -4,6 +4,7 @@ use crate::algebra::{add3, dot3, scale3, sub3};
 use crate::element::{Layout, Sym3};
 use crate::fan::{Sums, fans, lanes, last};
 use crate::lane::{BLOCK, Lanes, Real};
+use crate::math::Mask;
 use crate::operator::RotationBlock;
 use crate::polar;
 use crate::rest::Rest;
@@ -46,7 +47,7 @@ pub(super) fn average_rotations<R: Lanes, L: Layout>(
     }
     if R::WIDTH == 1 {
         for rows in out {
-            *rows = orthonormal(rows);
+            *rows = orthonormal(rows, unit_once);
         }
     } else {
         for nodes in out.chunks_mut(BLOCK) {
@@ -66,7 +67,7 @@ fn side_by_side<R: Lanes>(nodes: &mut [Rows]) {
     }
     for at in lanes::<R>() {
         let rows = core::array::from_fn(|k| R::load(&block[k], at));
-        for (x, numbers) in orthonormal(&rows).iter().zip(&mut block) {
+        for (x, numbers) in orthonormal(&rows, unit).iter().zip(&mut block) {
             x.store(numbers, at);
         }
     }
@@ -77,7 +78,10 @@ fn side_by_side<R: Lanes>(nodes: &mut [Rows]) {
 
 /// The nearest two orthonormal rows; [`UPRIGHT`] where the average says nothing.
 #[inline(always)]
-fn orthonormal<R: Real>(rows: &Sym3<R>) -> Sym3<R> {
+fn orthonormal<R: Real>(
+    rows: &Sym3<R>,
+    unit: impl Fn(&[R; 3]) -> ([R; 3], R::Mask),
+) -> Sym3<R> {
     let &[a, b, c, d, e, f] = rows;
     let (first, one) = unit(&[a, b, c]);
     let (second, two) = unit(&[d, e, f]);
@@ -99,7 +103,7 @@ fn orthonormal<R: Real>(rows: &Sym3<R>) -> Sym3<R> {
 const HALF_SQRT: f32 = core::f32::consts::FRAC_1_SQRT_2;
 
 /// u over its length, and whether it has one (in f32's range, squared).
-#[inline(never)]
+#[inline(always)]
 fn unit<R: Real>(u: &[R; 3]) -> ([R; 3], R::Mask) {
     let one = R::splat(1.0);
     // By the sum of magnitudes first: squares of stiffnesses can leave the range of f32.
@@ -112,6 +116,12 @@ fn unit<R: Real>(u: &[R; 3]) -> ([R; 3], R::Mask) {
     let square = dot3(&u, &u);
     let inverse = one / R::pick(usable, square, one).sqrt();
     (scale3(&u, inverse), usable)
+}
+
+/// [`unit`] of numbers, of which a binary needs one.
+#[inline(never)]
+fn unit_once(u: &[f32; 3]) -> ([f32; 3], Mask) {
+    unit(u)
 }
 
 /// R u
@@ -144,7 +154,7 @@ mod tests {
     fn rows_become_orthonormal() {
         let noisy = [0.9, 0.1, -0.2, 0.3, 1.4, 0.1];
         for scale in [1.0, 1e-30, 1e35] {
-            let rows = orthonormal(&noisy.map(|x| x * scale));
+            let rows = orthonormal(&noisy.map(|x| x * scale), unit_once);
             let [a, b, c, d, e, f] = rows.map(f64::from);
             for off in [
                 a * a + b * b + c * c - 1.0,
@@ -164,13 +174,13 @@ mod tests {
             [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
             [f32::INFINITY, 0.0, 0.0, 0.0, 1.0, 0.0],
         ] {
-            assert_eq!(orthonormal(&rows), UPRIGHT);
+            assert_eq!(orthonormal(&rows, unit_once), UPRIGHT);
         }
     }
 
     #[test]
     fn turning_back_is_the_transpose() {
-        let rows = orthonormal(&[0.9, 0.1, -0.2, 0.3, 1.4, 0.1]);
+        let rows = orthonormal(&[0.9, 0.1, -0.2, 0.3, 1.4, 0.1], unit_once);
         let u = [0.3, -2.0, 0.7];
         let back = unturn(&rows, &turn(&rows, &u));
         for axis in 0..3 {
