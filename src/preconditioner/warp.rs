@@ -78,10 +78,7 @@ fn side_by_side<R: Lanes>(nodes: &mut [Rows]) {
 
 /// The nearest two orthonormal rows; [`UPRIGHT`] where the average says nothing.
 #[inline(always)]
-fn orthonormal<R: Real>(
-    rows: &Sym3<R>,
-    unit: impl Fn(&[R; 3]) -> ([R; 3], R::Mask),
-) -> Sym3<R> {
+fn orthonormal<R: Real>(rows: &Sym3<R>, unit: impl Fn(&[R; 3]) -> ([R; 3], R::Mask)) -> Sym3<R> {
     let &[a, b, c, d, e, f] = rows;
     let (first, one) = unit(&[a, b, c]);
     let (second, two) = unit(&[d, e, f]);

@@ -23,7 +23,7 @@ use std::time::Instant;
 
 use clap::Parser;
 
-use chapters::{budget, closed, hard, models, paper, peers, spin};
+use chapters::{budget, closed, hard, models, paper, peers, relative, spin};
 use output::{Done, Output};
 use problem::Problem;
 
@@ -84,7 +84,7 @@ type Chapter = fn(&Run, &mut Output) -> Done;
 const CHAPTERS: &[(&str, Chapter)] = &[
     ("paper", paper::chapter),
     ("peers", peers::chapter),
-    ("relative", peers::relative),
+    ("relative", relative::chapter),
     ("spin", spin::chapter),
     ("closed", closed::chapter),
     ("models", models::chapter),

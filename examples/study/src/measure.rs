@@ -68,33 +68,59 @@ impl Outcome {
 /// work; else of each step among three runs, averaged over the steps.
 pub fn run(problem: &Problem, to: &References, contender: &Contender) -> Outcome {
     let repeats = if contender.steady { 1 } else { 3 };
-    let dt = H / f64::from(contender.substeps);
     let mut times = vec![f64::INFINITY; problem.steps];
     let mut track = Vec::new();
-    for repeat in 0..repeats {
-        let mut method = (contender.build)(problem, dt);
-        for time in &mut times {
-            let begin = clock::now();
-            for _ in 0..contender.substeps {
-                method.step();
-            }
-            *time = time.min((clock::now() - begin).as_secs_f64());
-            if repeat == 0 {
-                track.push(method.positions());
-            }
-        }
+    lap(problem, contender, &mut times, |method| {
+        track.push(method.positions());
+    });
+    for _ in 1..repeats {
+        lap(problem, contender, &mut times, |_| {});
     }
     Outcome {
         family: contender.family.clone(),
         budget: contender.budget.clone(),
         seconds: match contender.steady {
             true => times.iter().copied().fold(f64::INFINITY, f64::min),
-            false => times.iter().sum::<f64>() / times.len() as f64,
+            false => mean(&times),
         },
         to_truth: error(&track, &to.truth, to.diagonal),
         to_converged: error(&track, &to.converged, to.diagonal),
         tip: tip_error(problem, &track, &to.converged),
     }
+}
+
+/// Seconds a step of each contender, all by one measure: they take turns, and of each step the fastest of the rounds
+/// counts, averaged over the steps.
+pub fn race(problem: &Problem, contenders: &[&Contender], rounds: usize) -> Vec<f64> {
+    let mut times = vec![vec![f64::INFINITY; problem.steps]; contenders.len()];
+    for _ in 0..rounds {
+        for (contender, times) in contenders.iter().zip(&mut times) {
+            lap(problem, contender, times, |_| {});
+        }
+    }
+    times.iter().map(|times| mean(times)).collect()
+}
+
+/// A run from the start that lowers the `times` of its steps where it is faster.
+fn lap(
+    problem: &Problem,
+    contender: &Contender,
+    times: &mut [f64],
+    mut after: impl FnMut(&dyn Method),
+) {
+    let mut method = (contender.build)(problem, H / f64::from(contender.substeps));
+    for time in times {
+        let begin = clock::now();
+        for _ in 0..contender.substeps {
+            method.step();
+        }
+        *time = time.min((clock::now() - begin).as_secs_f64());
+        after(&*method);
+    }
+}
+
+fn mean(times: &[f64]) -> f64 {
+    times.iter().sum::<f64>() / times.len() as f64
 }
 
 /// The tip is where x is largest at rest.

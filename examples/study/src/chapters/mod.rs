@@ -7,4 +7,5 @@ pub mod models;
 pub mod paper;
 pub mod parts;
 pub mod peers;
+pub mod relative;
 pub mod spin;

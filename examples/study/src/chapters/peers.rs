@@ -9,7 +9,7 @@ use crate::methods::{direct, explicit, ours, pipeline, projective, rapier, xpbd}
 use crate::output::{Done, Output, exact, short};
 use crate::pareto::{Metric, TO_CONVERGED, TO_TRUTH, best_at, common_times, front};
 use crate::plot::{Plot, Series};
-use crate::problem::{Problem, cantilever, free_bar};
+use crate::problem::Problem;
 
 /// The two yardsticks.
 const METRICS: [(&str, &str, Metric); 2] = [
@@ -61,15 +61,26 @@ fn many_substeps(solver: ours::Solver, quick: bool) -> &'static [(u32, u32)] {
     }
 }
 
-/// Everything that runs on a scene.
-fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
-    let large = problem.tets.len() > 10_000;
+/// femto's budgets, the paper's choice among them.
+pub(super) fn solvers(problem: &Problem, quick: bool) -> Vec<Contender> {
+    let large = is_large(problem);
     let mut all = Vec::new();
     for solver in ours::SOLVERS {
         let each = |&(s, k): &(u32, u32)| ours::contender(solver, s, k, 1);
         all.extend(budgets(solver, quick, large).iter().map(each));
         all.extend(many_substeps(solver, quick).iter().map(each));
     }
+    all
+}
+
+fn is_large(problem: &Problem) -> bool {
+    problem.tets.len() > 10_000
+}
+
+/// Everything that runs on a scene.
+fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
+    let large = is_large(problem);
+    let mut all = solvers(problem, quick);
     for &s in if quick || large { &[1][..] } else { &[1, 2, 4] } {
         all.push(pipeline::contender(s, Stop::At(1e-10)));
         all.extend([5, 20].map(|k| pipeline::contender(s, Stop::After(k))));
@@ -101,8 +112,12 @@ fn contenders(problem: &Problem, quick: bool) -> Vec<Contender> {
     if !quick {
         all.push(explicit::contender(2 * stable));
     }
-    let counts: &[usize] = if quick { &[5] } else { &[3, 5, 10, 20, 50] };
-    all.extend(counts.iter().map(|&k| rapier::contender(1, k)));
+    let counts: &[u32] = if quick { &[5] } else { &[3, 5, 10, 20, 50] };
+    all.extend(
+        counts
+            .iter()
+            .map(|&k| rapier::contender(rapier::Budget::capped(1, k))),
+    );
     all
 }
 
@@ -130,29 +145,6 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
     Ok(())
 }
 
-/// The nearest relative, on its own ground.
-pub fn relative(study: &Run, out: &mut Output) -> Done {
-    out.text("## rapier3d 0.36.1, feature `fem`");
-    out.text("The same comparison on a cantilever of 425 nodes and a free, spinning bar of 208.");
-    let mut problems = Vec::new();
-    for young in if study.quick { &[1e6][..] } else { &[1e6, 1e7] } {
-        problems.push(cantilever(*young)?);
-        problems.push(free_bar(*young)?);
-    }
-    for problem in &mut problems {
-        if study.quick {
-            problem.steps = 20;
-        }
-        let mut entries = contenders(problem, study.quick);
-        entries.retain(|c| {
-            c.family == rapier::NAME || ours::SOLVERS.iter().any(|s| s.name == c.family)
-        });
-        let outcomes = outcomes(study, problem, &entries);
-        against(out, problem, &outcomes)?;
-    }
-    Ok(())
-}
-
 fn outcomes(study: &Run, problem: &Problem, contenders: &[Contender]) -> Vec<Outcome> {
     study.progress(&format!("{}: references", problem.name));
     let references = References::new(problem);
@@ -171,7 +163,7 @@ fn families(outcomes: &[Outcome]) -> Vec<String> {
     families
 }
 
-fn of(outcomes: &[Outcome], family: impl Fn(&str) -> bool) -> Vec<&Outcome> {
+pub(super) fn of(outcomes: &[Outcome], family: impl Fn(&str) -> bool) -> Vec<&Outcome> {
     outcomes.iter().filter(|o| family(&o.family)).collect()
 }
 
@@ -179,7 +171,7 @@ fn of(outcomes: &[Outcome], family: impl Fn(&str) -> bool) -> Vec<&Outcome> {
 type Member = fn(&str) -> bool;
 
 /// femto's solvers without the paper's.
-fn is_ours(family: &str) -> bool {
+pub(super) fn is_ours(family: &str) -> bool {
     ours::SOLVERS[1..].iter().any(|s| s.name == family)
 }
 
@@ -192,11 +184,11 @@ fn is_local(family: &str) -> bool {
         .any(|s| s.name == family)
 }
 
-fn file_name(problem: &Problem) -> String {
+pub(super) fn file_name(problem: &Problem) -> String {
     problem.name.replace(' ', "-")
 }
 
-fn plots(out: &mut Output, file: &str, problem: &Problem, outcomes: &[Outcome]) -> Done {
+pub(super) fn plots(out: &mut Output, file: &str, problem: &Problem, outcomes: &[Outcome]) -> Done {
     for (what, title, metric) in METRICS {
         let series = families(outcomes).into_iter().map(|family| {
             let points = front(&of(outcomes, |f| f == family), metric);
@@ -360,81 +352,4 @@ fn ratios(out: &mut Output, outcomes: &[Outcome], peer: &str) {
         .chain(header.iter().map(String::as_str))
         .collect();
     out.table(&header, &rows);
-}
-
-/// rapier's five budgets and the time to one per cent.
-fn against(out: &mut Output, problem: &Problem, outcomes: &[Outcome]) -> Done {
-    let young = problem.young;
-    out.text(&format!("### {}, E = {young:e} Pa", problem.name));
-    plots(
-        out,
-        &format!("{}-{young:e}", file_name(problem)),
-        problem,
-        outcomes,
-    )?;
-    let ours = of(outcomes, is_ours);
-    let theirs = of(outcomes, |f| f == rapier::NAME);
-    let rows: Vec<_> = theirs
-        .iter()
-        .map(|o| {
-            let (truth, converged) = (
-                best_at(&ours, TO_TRUTH, o.seconds),
-                best_at(&ours, TO_CONVERGED, o.seconds),
-            );
-            let faster = |metric: Metric| {
-                let match_it = ours
-                    .iter()
-                    .filter(|m| metric(m) <= metric(o))
-                    .map(|m| m.seconds);
-                short(o.seconds / match_it.fold(f64::INFINITY, f64::min))
-            };
-            vec![
-                o.budget.clone(),
-                short(o.seconds * 1e6),
-                short(o.to_truth),
-                short(truth),
-                short(o.to_converged),
-                short(converged),
-                faster(TO_TRUTH),
-                faster(TO_CONVERGED),
-            ]
-        })
-        .collect();
-    out.table(
-        &[
-            "rapier",
-            "µs a step",
-            "its error to truth",
-            "femto's in that time",
-            "its error to converged",
-            "femto's in that time",
-            "femto reaches its error to truth so many times faster",
-            "… to converged",
-        ],
-        &rows,
-    );
-    let tip = |family: &dyn Fn(&str) -> bool| {
-        let good = outcomes
-            .iter()
-            .filter(|o| family(&o.family) && o.tip <= 0.01);
-        good.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
-    };
-    let (mine, its) = (tip(&is_ours), tip(&|f| f == rapier::NAME));
-    let tell = |o: Option<&Outcome>| {
-        o.map_or("never".to_string(), |o| {
-            format!("{} µs ({})", short(o.seconds * 1e6), o.budget)
-        })
-    };
-    let ratio = match (mine, its) {
-        (Some(mine), Some(its)) => short(its.seconds / mine.seconds),
-        _ => "no ratio".into(),
-    };
-    out.text(&format!(
-        "Time a step to one per cent of the tip's travel (RMS over the run, against the converged step): femto {}{}; \
-         rapier {}; ratio {ratio}.",
-        tell(mine),
-        mine.map_or(String::new(), |o| format!(" with {}", o.family)),
-        tell(its),
-    ));
-    Ok(())
 }

@@ -50,6 +50,7 @@ pub const PAPER: Solver = solver("paper: velocity, jacobi", Start::Velocity, JAC
 const BLOCK: Choice = Choice::Local(Preconditioner::BlockJacobi);
 const GALERKIN_2: Solver = solver("galerkin-2, jacobi", Start::Galerkin(2), JACOBI);
 const RIGID_2: Solver = solver("rigid-2, jacobi", Start::Rigid(2), JACOBI);
+const WARPED_1: Solver = solver("galerkin-1, warped", Start::Galerkin(1), WARPED);
 const WARPED_2: Solver = solver("galerkin-2, warped", Start::Galerkin(2), WARPED);
 pub const THINNED_1: Solver = solver("galerkin-1, warped, thinned", Start::Galerkin(1), THINNED);
 
@@ -70,7 +71,7 @@ pub const SOLVERS: [Solver; 17] = [
     GALERKIN_2.trapezoidal("galerkin-2, jacobi, θ = ½"),
     RIGID_2.trapezoidal("rigid-2, jacobi, θ = ½"),
     solver("galerkin-2, laplacian", Start::Galerkin(2), LAPLACIAN),
-    solver("galerkin-1, warped", Start::Galerkin(1), WARPED),
+    WARPED_1,
     WARPED_2,
     solver(
         "galerkin-1, warped in f16",
@@ -81,6 +82,9 @@ pub const SOLVERS: [Solver; 17] = [
     THINNED_1,
     THINNED_1.trapezoidal("galerkin-1, warped, thinned, θ = ½"),
 ];
+
+/// Those that come nearest to the converged step.
+pub const EXACT: [Solver; 2] = [WARPED_1, WARPED_2];
 
 impl Solver {
     /// A nameless one.

@@ -12,6 +12,44 @@ use crate::problem::Problem;
 /// Its curve's name.
 pub const NAME: &str = "rapier3d fem";
 
+/// What a step of it may cost.
+#[derive(Clone, Copy)]
+pub struct Budget {
+    /// Its own, which share the preparation of a step.
+    pub substeps: u32,
+    /// At most so many a substep.
+    pub iterations: u32,
+    /// Relative residual at which it stops before.
+    pub tolerance: f32,
+}
+
+impl Budget {
+    /// All of the iterations.
+    pub const fn capped(substeps: u32, iterations: u32) -> Self {
+        Self {
+            substeps,
+            iterations,
+            tolerance: 1e-7,
+        }
+    }
+
+    /// As many as it takes.
+    pub const fn until(tolerance: f32) -> Self {
+        Self {
+            substeps: 1,
+            iterations: 1000,
+            tolerance,
+        }
+    }
+
+    fn name(&self) -> String {
+        match self.iterations {
+            1000 => format!("{}× until {:e}", self.substeps, self.tolerance),
+            iterations => format!("{}×{iterations} it.", self.substeps),
+        }
+    }
+}
+
 struct Rapier {
     world: PhysicsWorld,
     body: SoftBodyHandle,
@@ -22,14 +60,14 @@ fn vector([x, y, z]: [f32; 3]) -> Vector {
 }
 
 impl Rapier {
-    fn new(problem: &Problem, dt: f64, iterations: usize) -> Self {
+    fn new(problem: &Problem, dt: f64, budget: Budget) -> Self {
         let mut world = PhysicsWorld::new();
         world.gravity = vector(problem.gravity);
         let parameters = &mut world.integration_parameters;
         parameters.dt = dt as f32;
-        parameters.num_solver_iterations = 1;
-        parameters.soft_bodies.fem.max_linear_iterations = iterations;
-        parameters.soft_bodies.fem.linear_tolerance = 1e-7;
+        parameters.num_solver_iterations = budget.substeps as usize;
+        parameters.soft_bodies.fem.max_linear_iterations = budget.iterations as usize;
+        parameters.soft_bodies.fem.linear_tolerance = budget.tolerance;
         let masses = Forces::new(problem).rest.view().masses.to_vec();
         let builder = SoftBodyBuilder::new(problem.nodes.iter().map(|&x| vector(x)).collect())
             .cells(problem.tets.clone())
@@ -67,12 +105,9 @@ impl Method for Rapier {
     }
 }
 
-pub fn contender(substeps: u32, iterations: usize) -> Contender {
-    Contender::new(
-        NAME,
-        format!("{substeps}×{iterations} it."),
-        substeps,
-        move |problem, dt| Rapier::new(problem, dt, iterations),
-    )
+pub fn contender(budget: Budget) -> Contender {
+    Contender::new(NAME, budget.name(), 1, move |problem, dt| {
+        Rapier::new(problem, dt, budget)
+    })
     .varying()
 }
