@@ -123,7 +123,7 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
                     exact(o.to_converged),
                 ]);
             }
-            pair.push((number, unit, all));
+            pair.push((problem.stiffness(H), unit, all));
         }
         for_both(&mut both, &pair);
     }
@@ -225,45 +225,66 @@ fn targets(rows: &mut Vec<Vec<String>>, problem: &Problem, number: &str, all: &[
     }
 }
 
-/// For each allowed error the cheapest budget that keeps it on every body of one stiffness.
-fn for_both(rows: &mut Vec<Vec<String>>, bodies: &[(String, f64, Vec<Entry>)]) {
-    let Some((number, _, first)) = bodies.first() else {
+/// For one stiffness and an allowed error.
+struct Cheapest {
+    number: String,
+    stiffness: f64,
+    allowed: f64,
+    /// Without a factor and with one: what keeps it on every body, and its time in units of the default's.
+    best: [Option<(String, f64)>; 2],
+}
+
+fn for_both(rows: &mut Vec<Cheapest>, bodies: &[(f64, f64, Vec<Entry>)]) {
+    let Some((stiffness, _, first)) = bodies.first() else {
         return;
     };
     for allowed in ALLOWED {
-        let mut row = vec![number.clone(), format!("{} %", 100.0 * allowed)];
-        for factored in [false, true] {
-            // Entries stand in the same order for every body.
-            let worst = |k: usize, of: &dyn Fn(&Entry, f64) -> f64| {
-                bodies
-                    .iter()
-                    .map(|(_, unit, all)| of(&all[k], *unit))
-                    .fold(0.0, f64::max)
-            };
+        // Entries stand in the same order for every body.
+        let worst = |k: usize, of: &dyn Fn(&Entry, f64) -> f64| {
+            let each = bodies.iter().map(|(_, unit, all)| of(&all[k], *unit));
+            each.fold(0.0, f64::max)
+        };
+        let time = |k: usize| worst(k, &|e, unit| e.outcome.seconds / unit);
+        let best = [false, true].map(|factored| {
             let good = (0..first.len()).filter(|&k| {
                 first[k].solver.is_factored() == factored
                     && worst(k, &|e, _| e.outcome.to_truth) <= allowed
             });
-            let time = |k: &usize| worst(*k, &|e, unit| e.outcome.seconds / unit);
-            let best = good.min_by(|a, b| time(a).total_cmp(&time(b)));
-            row.push(best.map_or("none of these".into(), |k| {
-                format!(
-                    "`{}`, {}; {}",
-                    first[k].solver.name,
-                    first[k].budget(),
-                    short(time(&k))
-                )
-            }));
-        }
-        rows.push(row);
+            let best = good.min_by(|&a, &b| time(a).total_cmp(&time(b)));
+            best.map(|k| {
+                let name = format!("`{}`, {}", first[k].solver.name, first[k].budget());
+                (name, time(k))
+            })
+        });
+        rows.push(Cheapest {
+            number: short(*stiffness),
+            stiffness: *stiffness,
+            allowed,
+            best,
+        });
     }
 }
 
 /// The library's page on budgets.
-fn page(rows: &[Vec<String>]) -> String {
-    let mut text = PAGE.to_string();
+fn page(rows: &[Cheapest]) -> String {
+    let stiff = rows.iter().filter(|row| row.stiffness > 1.0);
+    let compared: Vec<bool> = stiff
+        .filter_map(|row| match &row.best {
+            [Some((_, local)), Some((_, factored))] => Some(factored < local),
+            [None, factored] => factored.as_ref().map(|_| true),
+            [Some(_), None] => Some(false),
+        })
+        .collect();
+    let ahead = compared.iter().filter(|&&ahead| ahead).count();
+    let ahead = format!("{ahead} of {}", compared.len());
+    let mut text = PAGE.replace("{ahead}", &ahead);
     for row in rows {
-        text += &format!("| {} |\n", row.join(" | "));
+        let [local, factored] = row.best.each_ref().map(|best| match best {
+            Some((name, time)) => format!("{name}; {}", short(*time)),
+            None => "none of these".into(),
+        });
+        let allowed = 100.0 * row.allowed;
+        text += &format!("| {} | {allowed} % | {local} | {factored} |\n", row.number);
     }
     text
 }
@@ -282,10 +303,11 @@ substeps resolve; it can be damped, not followed.
 The table is written by `cargo run --release -p femto-study -- --publish`, whose report has every split. For a scene of \
 one's own, `femto suggest SCENE.toml` measures the same.
 
-* Free bodies that spin need `rigid-m`; stiff ones (beyond 10⁴) should not take it, because there the rounding of elastic forces \
-  can set them spinning (`tests/golden/hard_cases.txt`).
-* A factor beats every local preconditioner on stiff bodies that keep their topology; beyond 10⁷ single precision no longer \
-  holds the inertia beside the stiffness: take a shorter step.
+* Stiff free bodies that spin (from some tens on) need `rigid-m` or a warped factor; beyond 10⁴ not `rigid-m`, because \
+  there the rounding of elastic forces can set them spinning (`tests/golden/hard_cases.txt`).
+* A factor pays on stiff bodies that keep their topology: above 1, where an error can be kept at all, it is cheaper than every \
+  local preconditioner in {ahead} rows of the table. Beyond 10⁷ single precision no longer holds the inertia beside the \
+  stiffness: take a shorter step.
 * A warped factor of some thousand nodes should be thinned (`femto bake --drop 0.005`): of the report's car a third of the entries \
   is left, a step takes two thirds of the time, and its error to the truth is the same.
 * `velocity` and `velocity-force` are for comparison with the literature only: they can raise the energy without bound.

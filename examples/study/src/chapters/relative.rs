@@ -67,8 +67,8 @@ pub fn chapter(study: &Run, out: &mut Output) -> Done {
     }
     out.text(&format!(
         "In short: the time a step that keeps the tip's error (RMS over the run, against the converged step) below {} of \
-         its travel, and rapier's error over femto's least in the same time, at rapier's worst budget for femto. The times \
-         of both sides are of turns: of each step the fastest of {ROUNDS} rounds, averaged over the steps.",
+         its travel, and rapier's error over femto's in the same time, at that of rapier's budgets where the ratio is least. Both \
+         sides were timed in turns: of each step the fastest of {ROUNDS} rounds, averaged over the steps.",
         percent(ALLOWED)
     ));
     out.table(
