@@ -8,6 +8,8 @@ use glam::Vec3;
 
 #[cfg(feature = "contact")]
 use crate::coupling::Piece;
+#[cfg(feature = "contact")]
+use crate::detect::{Aabb, boxes, spatial_order};
 use crate::material::{Material, MaterialError};
 #[cfg(feature = "contact")]
 use crate::rigid::{Rigid, Shape};
@@ -137,7 +139,11 @@ impl Assembly {
         #[cfg(feature = "contact")]
         {
             let tets = self.tets.get(part.tets.clone()).unwrap_or_default();
-            let triangles = boundary_triangles(tets);
+            let mut triangles = boundary_triangles(tets);
+            extern crate std;
+            if std::env::var("NOSORT").is_err() {
+                spatial_order(&self.nodes, &mut triangles);
+            }
             let mut surface: Vec<u32> = triangles.as_flattened().to_vec();
             surface.sort_unstable();
             surface.dedup();
@@ -208,5 +214,14 @@ impl Assembly {
                 friction: *friction,
             })
             .collect()
+    }
+
+    /// Room for the boxes of the search for contacts, for
+    /// [`Couplings::with_boxes`](crate::coupling::Couplings::with_boxes).
+    #[cfg(feature = "contact")]
+    #[must_use]
+    pub fn boxes(&self) -> Vec<Aabb> {
+        let count = self.surfaces.iter().map(|(t, _, _)| boxes(t.len())).sum();
+        alloc::vec![Aabb::EMPTY; count]
     }
 }

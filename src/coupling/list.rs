@@ -4,7 +4,7 @@ use super::contact::{self, keep_finite};
 use super::hook::{Counts, FreeStep};
 use super::islands::{IslandTranslations, Islands};
 use super::{Couple, CoupleStep, Coupling, Link, add_diagonal, apply};
-use crate::detect::{self, Slots};
+use crate::detect::{self, Aabb, Slots};
 use crate::element::Sym3;
 use crate::report::{CouplingFault, Refusal};
 use crate::rigid::Rigid;
@@ -18,7 +18,8 @@ pub struct Piece<'a> {
     /// Its nodes: pieces follow each other, from node 0 to the first rigid body.
     pub range: (u32, u32),
     /// Its boundary triangles, counter-clockwise from outside
-    /// (`surface::boundary_triangles`).
+    /// (`surface::boundary_triangles`), in any order; contacts are found fast in that of
+    /// [`spatial_order`](detect::spatial_order).
     pub triangles: &'a [[u32; 3]],
     /// The nodes on them, each once.
     pub nodes: &'a [u32],
@@ -45,6 +46,8 @@ pub struct Couplings<'a> {
     pub links: &'a [Link],
     /// Room for links and contacts: the capacity.
     pub slots: &'a mut [Coupling],
+    /// Room for the search; see [`Couplings::with_boxes`].
+    boxes: &'a mut [Aabb],
     counts: Counts,
     islands: Islands,
 }
@@ -63,9 +66,17 @@ impl<'a> Couplings<'a> {
             rigids,
             links,
             slots,
+            boxes: &mut [],
             counts: Counts::default(),
             islands: Islands::default(),
         }
+    }
+
+    /// Scratch of the search for contacts, which finds the same in any number of boxes, and fastest in
+    /// [`boxes`](detect::boxes) of its triangles for each piece, in their order.
+    #[must_use]
+    pub fn with_boxes(self, boxes: &'a mut [Aabb]) -> Self {
+        Self { boxes, ..self }
     }
 
     /// Contacts of the last step.
@@ -168,7 +179,7 @@ impl Couple for Couplings<'_> {
             self.islands.join(slot);
         }
         let mut found = Slots::new(contacts);
-        detect::find(self.pieces, self.rigids, step, &mut found);
+        detect::find(self.pieces, self.boxes, self.rigids, step, &mut found);
         self.counts = Counts {
             active: 0,
             dropped: found.dropped(),

@@ -30,11 +30,20 @@
 //! 1.3 times its diameter a step.) What is already deeper than that is not seen any more, nor is what passes
 //! through a whole body, or past an edge, within a step.
 
+mod order;
 mod point;
 mod rigid;
+mod slots;
 mod surface;
+mod tree;
+
+pub use order::spatial_order;
+pub use tree::{Aabb, boxes, boxes_bytes};
+
+pub(crate) use slots::Slots;
 
 use glam::Vec3;
+use tree::Tree;
 
 use crate::coupling::{CoupleStep, Coupling, Piece, SOFT};
 use crate::math::sqrt;
@@ -50,54 +59,6 @@ pub const MAX_RIGIDS: usize = 64;
 const MARGIN: f32 = 1.0 / 64.0;
 /// How deep a node is seen, in length units.
 const DEPTH: f32 = 4.0;
-
-/// The slots that are being filled.
-#[derive(Debug)]
-pub(crate) struct Slots<'a> {
-    slots: &'a mut [Coupling],
-    used: usize,
-    dropped: u32,
-}
-
-impl<'a> Slots<'a> {
-    pub fn new(slots: &'a mut [Coupling]) -> Self {
-        slots.fill(Coupling::EMPTY);
-        Self {
-            slots,
-            used: 0,
-            dropped: 0,
-        }
-    }
-
-    pub fn dropped(&self) -> u32 {
-        self.dropped
-    }
-
-    /// In a full list takes the place of the shallowest, where that is shallower.
-    #[inline(never)]
-    fn push(&mut self, contact: &Coupling) {
-        if let Some(slot) = self.slots.get_mut(self.used) {
-            *slot = *contact;
-            self.used += 1;
-            return;
-        }
-        self.dropped += 1;
-        let mut shallowest: Option<&mut Coupling> = None;
-        for slot in self.slots.iter_mut() {
-            let best = shallowest
-                .as_ref()
-                .map_or(f32::NEG_INFINITY, |s| s.predicted);
-            if slot.predicted > best {
-                shallowest = Some(slot);
-            }
-        }
-        if let Some(slot) = shallowest
-            && slot.predicted > contact.predicted
-        {
-            *slot = *contact;
-        }
-    }
-}
 
 /// What two points at a contact have in common.
 struct Touch<'s, 'a> {
@@ -173,38 +134,26 @@ impl Touch<'_, '_> {
     }
 }
 
-/// A box along the axes, and the greatest speed in it.
+/// Around where a body is and will be, and the greatest speed in it.
 #[derive(Clone, Copy, Debug)]
 struct Bounds {
-    low: Vec3,
-    high: Vec3,
+    around: Aabb,
     speed: f32,
 }
 
 impl Bounds {
-    const NONE: Self = Self {
-        low: Vec3::INFINITY,
-        high: Vec3::NEG_INFINITY,
-        speed: 0.0,
-    };
-
-    fn add(&mut self, point: Vec3) {
-        self.low = each(self.low, point, |a, b| if b < a { b } else { a });
-        self.high = each(self.high, point, |a, b| if b > a { b } else { a });
-    }
-
     #[inline(never)]
     fn of_piece(piece: &Piece<'_>, step: &CoupleStep<'_>) -> Self {
-        let mut out = Self::NONE;
+        let mut around = Aabb::NONE;
         let mut square = 0.0;
         for (x, v) in piece.nodes.iter().filter_map(|&node| moving(step, node)) {
-            out.add(x);
-            out.add(x + v * step.dt);
+            around.add(x);
+            around.add(x + v * step.dt);
             let s = v.dot(v);
             square = if s > square { s } else { square };
         }
-        out.speed = sqrt(square);
-        out
+        let speed = sqrt(square);
+        Self { around, speed }
     }
 
     #[inline(never)]
@@ -224,36 +173,24 @@ impl Bounds {
             }
         };
         let size = size + Vec3::splat(step.dt * speed);
-        Self {
+        let around = Aabb {
             low: rigid.frame.centre - size,
             high: rigid.frame.centre + size,
-            speed,
-        }
+        };
+        Self { around, speed }
     }
 
     /// What both have in common, `margin` wider; nothing where they are apart.
     fn meet(&self, other: &Self, margin: f32) -> Option<Self> {
-        let low = each(self.low, other.low, |a, b| if a > b { a } else { b });
-        let high = each(self.high, other.high, |a, b| if a < b { a } else { b });
-        let (low, high) = (low - Vec3::splat(margin), high + Vec3::splat(margin));
+        let around = self.around.meet(&other.around, margin)?;
         let speed = self.speed + other.speed;
-        let meets = low.x <= high.x && low.y <= high.y && low.z <= high.z;
-        meets.then_some(Self { low, high, speed })
+        Some(Self { around, speed })
     }
 
-    fn holds(&self, p: Vec3) -> bool {
-        let (low, high) = (self.low, self.high);
-        (p.x >= low.x)
-            & (p.y >= low.y)
-            & (p.z >= low.z)
-            & (p.x <= high.x)
-            & (p.y <= high.y)
-            & (p.z <= high.z)
+    /// Whether a node may touch something there in the step.
+    fn holds(&self, x: Vec3, v: Vec3, dt: f32) -> bool {
+        self.around.holds(x) || self.around.holds(x + v * dt)
     }
-}
-
-fn each(a: Vec3, b: Vec3, f: impl Fn(f32, f32) -> f32) -> Vec3 {
-    Vec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
 }
 
 /// Place and velocity of a node.
@@ -263,10 +200,14 @@ fn moving(step: &CoupleStep<'_>, node: u32) -> Option<(Vec3, Vec3)> {
     Some((Vec3::from_array(*x), Vec3::from_array(*v)))
 }
 
+/// A piece, the tree over its triangles, and where it is.
+type Soft<'a, 'b> = (Tree<'a, 'b>, Bounds);
+
 /// Finds all contacts, in the order of the pieces and their nodes.
 #[inline(never)]
 pub(crate) fn find(
     pieces: &[Piece<'_>],
+    mut boxes: &mut [Aabb],
     rigids: &[Rigid],
     step: &CoupleStep<'_>,
     slots: &mut Slots<'_>,
@@ -277,23 +218,26 @@ pub(crate) fn find(
         margin,
         slots,
     };
-    let mut bounds = heapless::Vec::<Bounds, MAX_PIECES>::new();
+    let mut soft = heapless::Vec::<Soft<'_, '_>, MAX_PIECES>::new();
     for piece in pieces {
-        let own = Bounds::of_piece(piece, step);
-        for (other, theirs) in pieces.iter().zip(&bounds) {
-            if let Some(region) = own.meet(theirs, margin) {
-                surface::pair(&mut touch, other, piece, &region);
-                surface::pair(&mut touch, piece, other, &region);
+        let mut own = (Tree::new(piece, &mut boxes), Bounds::of_piece(piece, step));
+        for other in &mut soft {
+            if let Some(region) = own.1.meet(&other.1, margin) {
+                own.0.fit(step);
+                other.0.fit(step);
+                surface::pair(&mut touch, other.0.piece, &own.0, &region);
+                surface::pair(&mut touch, piece, &other.0, &region);
             }
         }
         // As many fit as `check` lets pass.
-        let _ = bounds.push(own);
+        let _ = soft.push(own);
     }
     for (index, rigid) in (1_u16..).zip(rigids) {
         let own = Bounds::of_rigid(rigid, step);
-        for (piece, theirs) in pieces.iter().zip(&bounds) {
-            if let Some(region) = own.meet(theirs, margin) {
-                rigid::against_piece(&mut touch, index, rigid, piece, &region);
+        for (tree, bounds) in &mut soft {
+            if let Some(region) = own.meet(bounds, margin) {
+                tree.fit(step);
+                rigid::against_piece(&mut touch, index, rigid, tree, &region);
             }
         }
         for (other_index, other) in (1..index).zip(rigids) {

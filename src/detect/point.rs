@@ -40,6 +40,8 @@ pub(super) fn on_triangle(p: Vec3, [a, b, c]: [Vec3; 3]) -> [f32; 3] {
         let w = ratio_or_zero(along, along + back, 0.0);
         return [0.0, 1.0 - w, w];
     }
+    // All positive, but for rounding in slivers: the point must not leave the triangle.
+    let [va, vb, vc] = [va, vb, vc].map(|x| if x > 0.0 { x } else { 0.0 });
     let sum = va + vb + vc;
     let (v, w) = (ratio_or_zero(vb, sum, 0.0), ratio_or_zero(vc, sum, 0.0));
     [1.0 - v - w, v, w]

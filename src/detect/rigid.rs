@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use super::point::box_distance;
 use super::surface::{nearest, reach};
+use super::tree::Tree;
 use super::{Bounds, Side, Touch, moving};
-use crate::coupling::Piece;
 use crate::math::sqrt;
 use crate::rigid::{Rigid, Shape};
 
@@ -49,14 +49,15 @@ pub(super) fn against_piece(
     touch: &mut Touch<'_, '_>,
     index: u16,
     rigid: &Rigid,
-    piece: &Piece<'_>,
+    tree: &Tree<'_, '_>,
     region: &Bounds,
 ) {
+    let piece = tree.piece;
     for &node in piece.nodes {
         let Some((x, v)) = moving(touch.step, node) else {
             continue;
         };
-        if !(region.holds(x) || region.holds(x + v * touch.step.dt)) {
+        if !region.holds(x, v, touch.step.dt) {
             continue;
         }
         let (gap, normal) = distance(rigid, x);
@@ -71,7 +72,7 @@ pub(super) fn against_piece(
     match rigid.shape {
         Shape::Ball { radius } => {
             let centre = rigid.frame.centre;
-            if let Some(found) = nearest(touch, centre, piece, reach + radius) {
+            if let Some(found) = nearest(touch.step, centre, tree, reach + radius) {
                 let at = centre - found.normal * radius;
                 touch.pair(
                     Side::of_rigid(index, rigid, at),
@@ -83,7 +84,7 @@ pub(super) fn against_piece(
         }
         Shape::Cuboid { half } => {
             for corner in corners(rigid, half) {
-                if let Some(found) = nearest(touch, corner, piece, reach) {
+                if let Some(found) = nearest(touch.step, corner, tree, reach) {
                     touch.pair(
                         Side::of_rigid(index, rigid, corner),
                         found.side,

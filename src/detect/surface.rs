@@ -3,12 +3,13 @@
 use glam::Vec3;
 
 use super::point::on_triangle;
+use super::tree::Tree;
 use super::{Bounds, DEPTH, Side, Touch, moving};
-use crate::coupling::Piece;
+use crate::coupling::{CoupleStep, Piece};
 use crate::math::sqrt;
 
-/// Distances that differ by less than this part are the same: of two triangles that meet there, the one that
-/// faces the point more says on which side it is.
+/// Distances that differ by less than half this part are the same: of triangles that meet there, the one that faces
+/// the point most says on which side it is.
 const SAME: f32 = 1e-4;
 
 /// The nearest point of a surface.
@@ -21,75 +22,103 @@ pub(super) struct Nearest {
     pub gap: f32,
 }
 
-/// The point of a piece's surface that is nearest to `p`, no farther than `reach`.
+/// A point and the nearest one of a triangle.
+struct Foot {
+    weights: [f32; 3],
+    /// From there to the point.
+    apart: Vec3,
+    square: f32,
+    /// Unit normal of the triangle.
+    normal: Vec3,
+    /// Over the triangle's plane.
+    height: f32,
+}
+
+/// Nothing for a triangle without area.
+#[inline(never)]
+fn foot(p: Vec3, [a, b, c]: [Vec3; 3]) -> Option<Foot> {
+    let weights = on_triangle(p, [a, b, c]);
+    let q = a * weights[0] + b * weights[1] + c * weights[2];
+    let apart = p - q;
+    let area = (b - a).cross(c - a);
+    let length = sqrt(area.dot(area));
+    (length > 0.0).then(|| Foot {
+        weights,
+        apart,
+        square: apart.dot(apart),
+        normal: area / length,
+        height: apart.dot(area) / length,
+    })
+}
+
+/// The point of a piece's surface that is nearest to `p`, no farther than `reach`. Of triangles that are equally
+/// near it is of the one that faces `p` most, and of those that do so equally of the first of the list.
 #[inline(never)]
 pub(super) fn nearest(
-    touch: &Touch<'_, '_>,
+    step: &CoupleStep<'_>,
     p: Vec3,
-    piece: &Piece<'_>,
+    tree: &Tree<'_, '_>,
     reach: f32,
 ) -> Option<Nearest> {
-    let mut best: Option<Nearest> = None;
-    let (mut least, mut facing) = (reach * reach, 0.0);
-    let tiny = 1e-5 * touch.step.length_unit;
-    for nodes in piece.triangles {
-        let [Some((a, _)), Some((b, _)), Some((c, _))] = nodes.map(|n| moving(touch.step, n))
-        else {
-            continue;
-        };
-        let mut around = Bounds::NONE;
-        for corner in [a, b, c] {
-            around.add(corner);
+    let mut least = reach * reach;
+    let mut found = false;
+    tree.walk(step, p, &mut least, |_, corners, least| {
+        if let Some(foot) = foot(p, corners)
+            && foot.square <= *least
+        {
+            *least = foot.square;
+            found = true;
         }
-        around.low -= Vec3::splat(reach);
-        around.high += Vec3::splat(reach);
-        if !around.holds(p) {
-            continue;
-        }
-        let weights = on_triangle(p, [a, b, c]);
-        let q = a * weights[0] + b * weights[1] + c * weights[2];
-        let apart = p - q;
-        let square = apart.dot(apart);
-        let area = (b - a).cross(c - a);
-        let length = sqrt(area.dot(area));
-        if length <= 0.0 || square > least * (1.0 + SAME) + tiny * tiny {
-            continue;
-        }
-        let distance = sqrt(square);
-        let height = apart.dot(area) / length;
-        let facing_here = if distance > tiny {
-            height.abs() / distance
-        } else {
-            1.0
-        };
-        let nearer = square < least * (1.0 - SAME) - tiny * tiny;
-        if best.is_some() && !nearer && facing_here <= facing {
-            continue;
-        }
-        let (normal, gap) = if distance > tiny {
-            let signed = if height < 0.0 { -distance } else { distance };
-            (apart / signed, signed)
-        } else {
-            (area / length, height)
-        };
-        if square < least {
-            least = square;
-        }
-        facing = facing_here;
-        let [i, j, k] = *nodes;
-        let [u, v, w] = weights;
-        best = Some(Nearest {
-            side: Side {
-                nodes: [i, j, k, i],
-                weights: [u, v, w, 0.0],
-                friction: piece.friction,
-                ..Side::NONE
-            },
-            normal,
-            gap,
-        });
+    });
+    if !found {
+        return None;
     }
-    best
+    let tiny = 1e-5 * step.length_unit;
+    let mut limit = least * (1.0 + SAME) + tiny * tiny;
+    let mut best: Option<(f32, u32, Nearest)> = None;
+    tree.walk(step, p, &mut limit, |index, corners, limit| {
+        let Some(foot) = foot(p, corners) else {
+            return;
+        };
+        let distance = sqrt(foot.square);
+        let touching = distance <= tiny;
+        let facing = if touching {
+            1.0
+        } else {
+            foot.height.abs() / distance
+        };
+        let better = best
+            .as_ref()
+            .is_none_or(|(most, first, _)| facing > *most || (facing == *most && index < *first));
+        if foot.square > *limit || !better {
+            return;
+        }
+        let (normal, gap) = if touching {
+            (foot.normal, foot.height)
+        } else {
+            let signed = if foot.height < 0.0 {
+                -distance
+            } else {
+                distance
+            };
+            (foot.apart / signed, signed)
+        };
+        let [i, j, k] = tree
+            .piece
+            .triangles
+            .get(index as usize)
+            .copied()
+            .unwrap_or_default();
+        let [u, v, w] = foot.weights;
+        let side = Side {
+            nodes: [i, j, k, i],
+            weights: [u, v, w, 0.0],
+            friction: tree.piece.friction,
+            ..Side::NONE
+        };
+        best = Some((facing, index, Nearest { side, normal, gap }));
+    });
+    best.map(|(_, _, nearest)| nearest)
 }
 
 /// How far a point is to be looked for, that meets others at up to `speed`.
@@ -99,16 +128,21 @@ pub(super) fn reach(touch: &Touch<'_, '_>, speed: f32) -> f32 {
 
 /// The surface nodes of one piece against the triangles of another.
 #[inline(never)]
-pub(super) fn pair(touch: &mut Touch<'_, '_>, of: &Piece<'_>, other: &Piece<'_>, region: &Bounds) {
+pub(super) fn pair(
+    touch: &mut Touch<'_, '_>,
+    of: &Piece<'_>,
+    other: &Tree<'_, '_>,
+    region: &Bounds,
+) {
     let reach = reach(touch, region.speed);
     for &node in of.nodes {
         let Some((x, v)) = moving(touch.step, node) else {
             continue;
         };
-        if !(region.holds(x) || region.holds(x + v * touch.step.dt)) {
+        if !region.holds(x, v, touch.step.dt) {
             continue;
         }
-        if let Some(found) = nearest(touch, x, other, reach) {
+        if let Some(found) = nearest(touch.step, x, other, reach) {
             touch.pair(
                 Side::node(node, of.friction),
                 found.side,

@@ -9,4 +9,5 @@ mod limits;
 mod oracle;
 mod rest;
 mod rigid;
+mod search;
 mod world;

@@ -1,6 +1,7 @@
 //! Bodies in one system, and what they are worth.
 
 use femto::coupling::{Coupling, Couplings, Link};
+use femto::detect::Aabb;
 use femto::glam::Vec3;
 use femto::join::Assembly;
 use femto::material::Material;
@@ -18,6 +19,7 @@ pub struct World {
     pub rigids: Vec<Rigid>,
     pub links: Vec<Link>,
     pub slots: Vec<Coupling>,
+    pub boxes: Vec<Aabb>,
 }
 
 /// A cube of `cells` cells a side with its low corner at `at`.
@@ -46,6 +48,7 @@ impl World {
             rigids: parts.rigids(),
             links: Vec::new(),
             slots: vec![Coupling::EMPTY; slots],
+            boxes: parts.boxes(),
             parts,
         }
     }
@@ -71,7 +74,8 @@ impl World {
 
     pub fn step(&mut self, scene: &Scene<'_>, settings: &Settings<'_>) -> StepReport {
         let pieces = self.parts.pieces();
-        let mut couplings = Couplings::new(&pieces, &mut self.rigids, &self.links, &mut self.slots);
+        let mut couplings = Couplings::new(&pieces, &mut self.rigids, &self.links, &mut self.slots)
+            .with_boxes(&mut self.boxes);
         self.body.step_coupled(scene, settings, &mut couplings)
     }
 

@@ -2,6 +2,7 @@
 //! scene file say, checked, and the one system that is made of them.
 
 use femto::coupling::{Coupling, Link};
+use femto::detect::Aabb;
 use femto::glam::Vec3;
 use femto::join::Assembly;
 use femto::material::Regions;
@@ -360,6 +361,8 @@ pub struct Joint {
     pub links: Vec<Link>,
     pub specs: Vec<LinkSpec>,
     pub slots: Vec<Coupling>,
+    /// Scratch of the search for contacts.
+    pub boxes: Vec<Aabb>,
 }
 
 /// Makes the system, its tetrahedra in fans, and its rest data.
@@ -436,6 +439,7 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         links,
         specs: coupled.links.clone(),
         slots: vec![Coupling::EMPTY; coupled.capacity],
+        boxes: parts.boxes(),
         rigids,
         parts,
     };

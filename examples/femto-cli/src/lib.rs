@@ -6,6 +6,7 @@
 mod asset_info;
 mod bake;
 mod colliders;
+pub mod contact_cost;
 mod coupled;
 mod demo;
 pub mod endurance;

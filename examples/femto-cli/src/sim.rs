@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use femto::body::{rest_bytes, state_bytes, workspace_bytes};
 use femto::constraint::Pin;
 use femto::coupling::{Coupling, Couplings};
+use femto::detect::Aabb;
 use femto::element::{Dense, Factored, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
@@ -254,7 +255,12 @@ impl<'a> Sim<'a> {
                             &mut joint.rigids,
                             &joint.links,
                             &mut joint.slots,
-                        );
+                        )
+                        .with_boxes(if std::env::var("NOBOX").is_ok() {
+                            &mut []
+                        } else {
+                            &mut joint.boxes
+                        });
                         with!(&mut body.kind, body => body.step_coupled(&scene, &settings, &mut couplings))
                     }
                 };
@@ -329,6 +335,13 @@ impl<'a> Sim<'a> {
     /// Attachments, springs and contacts between bodies, as the last step left them; empty slots weigh nothing.
     pub fn contacts(&self) -> &[Coupling] {
         self.joint.as_ref().map_or(&[], |joint| &joint.slots)
+    }
+
+    /// Takes the boxes from the search for contacts, which then finds the same among all triangles.
+    pub fn search_without_boxes(&mut self) {
+        if let Some(joint) = &mut self.joint {
+            joint.boxes.clear();
+        }
     }
 
     /// Whose a node of the one system is.
@@ -420,6 +433,7 @@ impl<'a> Sim<'a> {
         }
         if let Some(joint) = &self.joint {
             sum.workspace += joint.slots.len() * size_of::<Coupling>();
+            sum.workspace += joint.boxes.len() * size_of::<Aabb>();
         }
         sum
     }
