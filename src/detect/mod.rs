@@ -17,12 +17,26 @@
 //!
 //! # Cost and bounds
 //!
-//! The search is the one part of a step whose cost depends on the state. It is at most, over pairs of pieces with n
-//! surface nodes and t triangles, n₁t₂ + n₂t₁ tests of a node against a triangle, of which all but those within reach
-//! are three comparisons; n for a piece against a rigid body, and t (8t for a box). Contacts: one for each surface
-//! node and piece or shape that it meets, one for a ball and a piece, eight for a box and a piece or collider,
-//! 16 for two boxes. Where there are more than slots, those that would be deepest at the end of the step are
-//! kept and the others are counted in [`StepReport::dropped`](crate::report::StepReport::dropped).
+//! The search is the one part of a step whose cost depends on the state. Two pieces whose boxes are apart cost that
+//! comparison. Else, once a step for each such piece of t triangles, a binary tree of [`boxes`]\(t\) < t boxes around them is
+//! fitted to where they are; then each surface node and each rigid point that lies where the two boxes meet asks it for its nearest
+//! triangle, in two passes: how far that is, and which of the triangles as near as that faces it most. Near boxes come first, and
+//! those farther than what is found are left out. A point costs at most two looks at every box and two at
+//! every triangle; where triangles are in [`spatial_order`], those on the way to the nearest, some log₂ t.
+//! Over pairs of pieces with n surface nodes that is at most 2 (n₁ + 1)(b₂ + t₂) + 2 (n₂ + 1)(b₁ + t₁) looks, and
+//! n + 2 (b + t) for a piece and a ball, n + 16 (b + t) for a piece and a box.
+//!
+//! Why a tree and not a grid: its topology is that of the surface, which never changes, so it has no capacity
+//! to overflow, needs no cell size, cannot degrade by more than the bound above when bodies are stretched or
+//! crushed, and its pruning is exact. Its memory is the caller's
+//! ([`Couplings::with_boxes`](crate::coupling::Couplings::with_boxes)), 24 bytes a box or 12 to 24 a triangle; with fewer boxes
+//! the tree is less deep, with none every triangle is looked at, and **the contacts are the same to the bit**, in one
+//! order: that of pieces and their nodes. So small bodies on a microcontroller can do without.
+//!
+//! Contacts: one for each surface node and piece or shape that it meets, one for a ball and a piece, eight for a box and
+//! a piece or collider, 16 for two boxes. Where there are more than slots, those that would be deepest at the end of the step are
+//! kept, as a heap, at log₂(slots) moves a contact, and the others are counted in
+//! [`StepReport::dropped`](crate::report::StepReport::dropped).
 //!
 //! **Fast bodies.** A node is looked for as far as it may travel in the step, and four length units (about two thirds of a
 //! cell's edge) besides: what approaches is slowed before it is inside, at any speed at which the nearest surface now is

@@ -58,12 +58,10 @@ mod tests {
     #[test]
     fn halves_of_halves_are_apart() {
         // A row of 13 triangles, shuffled: sorted again, wherever it began.
-        let nodes: Vec<[f32; 3]> = (0..15_u16)
-            .map(|i| [f32::from(i), f32::from(i % 2), 0.0])
-            .collect();
-        let row: Vec<[u32; 3]> = (0..13).map(|i| [i, i + 1, i + 2]).collect();
+        let nodes: [[f32; 3]; 15] = core::array::from_fn(|i| [i as f32, (i % 2) as f32, 0.0]);
+        let row: [[u32; 3]; 13] = core::array::from_fn(|i| [0, 1, 2].map(|k| i as u32 + k));
         for stride in [1, 2, 5, 11] {
-            let mut triangles: Vec<_> = (0..13).map(|i| row[i * stride % 13]).collect();
+            let mut triangles = core::array::from_fn(|i| row[i * stride % 13]);
             spatial_order(&nodes, &mut triangles);
             assert_eq!(triangles, row);
         }

@@ -70,3 +70,31 @@ impl<'a> Slots<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_list_holds_the_deepest() {
+        for capacity in [0, 1, 2, 3, 10, 64] {
+            let mut memory = [Coupling::EMPTY; 64];
+            let mut slots = Slots::new(&mut memory[..capacity]);
+            // 7^k mod 101: a shuffle of 1 ..= 100.
+            let mut depth = 1_u8;
+            for _ in 0..100 {
+                slots.push(&Coupling {
+                    predicted: -f32::from(depth),
+                    ..Coupling::EMPTY
+                });
+                depth = (u16::from(depth) * 7 % 101) as u8;
+            }
+            assert_eq!(slots.dropped() as usize, 100 - capacity);
+            let kept = &mut memory[..capacity];
+            kept.sort_unstable_by(|a, b| a.predicted.total_cmp(&b.predicted));
+            for (slot, depth) in kept.iter().zip((1..=100_u8).rev()) {
+                assert_eq!(slot.predicted, -f32::from(depth));
+            }
+        }
+    }
+}
