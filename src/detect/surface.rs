@@ -152,3 +152,37 @@ pub(super) fn pair(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tree::around;
+    use super::*;
+
+    /// What the pruning of the tree rests on, in f32 as computed: corners at up to 1e4 m, some triangles almost lines.
+    #[test]
+    fn no_foot_is_nearer_than_the_box() {
+        let mut state = 7_u64;
+        let mut number = |size: f32| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            ((state >> 40) as f32 / (1 << 23) as f32 - 1.0) * size
+        };
+        for k in 0..100_000 {
+            let at = number([0.0, 1.0, 100.0, 1e4][k % 4]);
+            let thin = [1.0, 1e-3, 1e-6, 0.0][k / 4 % 4];
+            let mut point =
+                |thin: f32| Vec3::new(at + number(1.0), at + number(thin), at + number(1.0));
+            let corners = [point(thin), point(thin), point(thin)];
+            let p = point(1.0);
+            if let Some(foot) = foot(p, corners) {
+                let square = around(&corners).square(p);
+                assert!(
+                    foot.square >= square,
+                    "{p} {corners:?}: {} {square}",
+                    foot.square
+                );
+            }
+        }
+    }
+}

@@ -95,7 +95,7 @@ impl Aabb {
     }
 
     /// Of the distance of `p`, 0 inside.
-    fn square(&self, p: Vec3) -> f32 {
+    pub(super) fn square(&self, p: Vec3) -> f32 {
         let outside = each(self.low - p, p - self.high, more);
         let outside = each(outside, Vec3::ZERO, more);
         outside.dot(outside)
@@ -238,7 +238,7 @@ fn corners(step: &CoupleStep<'_>, &[i, j, k]: &[u32; 3]) -> Option<[Vec3; 3]> {
     Some([place(i)?, place(j)?, place(k)?])
 }
 
-fn around(&[a, b, c]: &[Vec3; 3]) -> Aabb {
+pub(super) fn around(&[a, b, c]: &[Vec3; 3]) -> Aabb {
     let mut out = Aabb { low: a, high: a };
     out.add(b);
     out.add(c);
