@@ -14,7 +14,7 @@ use crate::material::{Material, MaterialError};
 #[cfg(feature = "contact")]
 use crate::rigid::{Rigid, Shape};
 #[cfg(feature = "contact")]
-use crate::surface::boundary_triangles;
+use crate::surface::{boundary_triangles, sharp_edges};
 
 /// Bodies, added one after the other, as one mesh: nodes, tetrahedra, and a material for each of these.
 ///
@@ -32,7 +32,16 @@ pub struct Assembly {
     #[cfg(feature = "contact")]
     rigids: Vec<Rigid>,
     #[cfg(feature = "contact")]
-    surfaces: Vec<(Vec<[u32; 3]>, Vec<u32>, f32)>,
+    surfaces: Vec<Surface>,
+}
+
+#[cfg(feature = "contact")]
+#[derive(Clone, Debug)]
+struct Surface {
+    triangles: Vec<[u32; 3]>,
+    edges: Vec<[u32; 4]>,
+    nodes: Vec<u32>,
+    friction: f32,
 }
 
 /// Where a body is in an [`Assembly`].
@@ -144,10 +153,15 @@ impl Assembly {
             if std::env::var("NOSORT").is_err() {
                 spatial_order(&self.nodes, &mut triangles);
             }
-            let mut surface: Vec<u32> = triangles.as_flattened().to_vec();
-            surface.sort_unstable();
-            surface.dedup();
-            self.surfaces.push((triangles, surface, friction));
+            let mut nodes: Vec<u32> = triangles.as_flattened().to_vec();
+            nodes.sort_unstable();
+            nodes.dedup();
+            self.surfaces.push(Surface {
+                triangles,
+                edges: Vec::new(),
+                nodes,
+                friction,
+            });
         }
         Ok(part)
     }
@@ -206,14 +220,24 @@ impl Assembly {
         self.surfaces
             .iter()
             .zip(&self.parts)
-            .map(|((triangles, nodes, friction), part)| Piece {
+            .map(|(surface, part)| Piece {
                 // Counted when they were added.
                 range: (part.nodes.start as u32, part.nodes.end as u32),
-                triangles,
-                nodes,
-                friction: *friction,
+                triangles: &surface.triangles,
+                edges: &surface.edges,
+                nodes: &surface.nodes,
+                friction: surface.friction,
             })
             .collect()
+    }
+
+    /// Lets the sharp edges of soft bodies, those that are there now, touch each other, too.
+    #[cfg(feature = "contact")]
+    pub fn touch_by_edges(&mut self) {
+        for surface in &mut self.surfaces {
+            surface.edges = sharp_edges(&self.nodes, &surface.triangles);
+            spatial_order(&self.nodes, &mut surface.edges);
+        }
     }
 
     /// Room for the boxes of the search for contacts, for
@@ -221,7 +245,7 @@ impl Assembly {
     #[cfg(feature = "contact")]
     #[must_use]
     pub fn boxes(&self) -> Vec<Aabb> {
-        let count = self.surfaces.iter().map(|(t, _, _)| boxes(t.len())).sum();
-        alloc::vec![Aabb::EMPTY; count]
+        let of = |s: &Surface| boxes(s.triangles.len()) + boxes(s.edges.len());
+        alloc::vec![Aabb::EMPTY; self.surfaces.iter().map(of).sum()]
     }
 }

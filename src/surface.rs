@@ -4,6 +4,10 @@
 
 use alloc::vec::Vec;
 
+use glam::Vec3;
+
+use crate::math::sqrt;
+
 /// The four faces of a positively oriented tetrahedron, each counter-clockwise as seen from outside.
 const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
@@ -33,4 +37,37 @@ pub fn boundary_triangles(tets: &[[u32; 4]]) -> Vec<[u32; 3]> {
         .collect();
     outer.sort_unstable();
     outer.into_iter().map(|(_, face)| face).collect()
+}
+
+/// cos 30°
+const FLAT: f32 = 0.866_025_4;
+
+/// The edges of a closed surface that stick out: where its two triangles, as the nodes are at rest, turn away from each
+/// other by more than 30°. Of each the two ends, and the third nodes of the triangles on its left and its right.
+///
+/// Time and memory are in proportion to the number of triangles, sorting aside.
+#[must_use]
+pub fn sharp_edges(nodes: &[[f32; 3]], triangles: &[[u32; 3]]) -> Vec<[u32; 4]> {
+    let at = |node: u32| Vec3::from_array(nodes.get(node as usize).copied().unwrap_or_default());
+    let normal = |[a, b, c]: [u32; 3]| (at(b) - at(a)).cross(at(c) - at(a));
+    let mut halves: Vec<([u32; 2], bool, u32)> = Vec::with_capacity(3 * triangles.len());
+    for &[a, b, c] in triangles {
+        for (i, j, third) in [(a, b, c), (b, c, a), (c, a, b)] {
+            halves.push(([i.min(j), i.max(j)], i > j, third));
+        }
+    }
+    halves.sort_unstable();
+    let both = halves.chunk_by(|a, b| a.0 == b.0);
+    both.filter_map(|same| {
+        // A surface that touches itself along an edge has four.
+        let &[([i, j], false, left), (_, true, right)] = same else {
+            return None;
+        };
+        let (n, m) = (normal([i, j, left]), normal([j, i, right]));
+        let turn = n.dot(m);
+        let lengths = sqrt(n.dot(n)) * sqrt(m.dot(m));
+        let sharp = lengths > 0.0 && turn < FLAT * lengths && n.dot(at(right) - at(i)) < 0.0;
+        sharp.then_some([i, j, left, right])
+    })
+    .collect()
 }

@@ -21,7 +21,10 @@ pub struct Piece<'a> {
     /// (`surface::boundary_triangles`), in any order; contacts are found fast in that of
     /// [`spatial_order`](detect::spatial_order).
     pub triangles: &'a [[u32; 3]],
-    /// The nodes on them, each once.
+    /// Edges that may touch those of other pieces, by nodes: the two ends, then what the triangles on
+    /// either side have besides (`surface::sharp_edges`). None: only nodes touch triangles.
+    pub edges: &'a [[u32; 4]],
+    /// The nodes of the triangles, each once.
     pub nodes: &'a [u32],
     /// Coulomb's coefficient of friction; a pair has the geometric mean of its two.
     pub friction: f32,
@@ -73,7 +76,7 @@ impl<'a> Couplings<'a> {
     }
 
     /// Scratch of the search for contacts, which finds the same in any number of boxes, and fastest in
-    /// [`boxes`](detect::boxes) of its triangles for each piece, in their order.
+    /// [`boxes`](detect::boxes) of the triangles and as many of the edges of every piece.
     #[must_use]
     pub fn with_boxes(self, boxes: &'a mut [Aabb]) -> Self {
         Self { boxes, ..self }
@@ -127,8 +130,9 @@ impl<'a> Couplings<'a> {
             return Some(CouplingFault::Rigid);
         }
         let surface = self.pieces.iter().all(|piece| {
-            let corners = piece.triangles.as_flattened();
-            corners.iter().chain(piece.nodes).all(|&node| is_soft(node))
+            let corners = piece.triangles.as_flattened().iter().chain(piece.nodes);
+            let all = corners.chain(piece.edges.as_flattened());
+            all.copied().all(is_soft)
         });
         if !surface || self.pieces.len() > detect::MAX_PIECES {
             return Some(CouplingFault::Piece);

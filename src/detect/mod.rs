@@ -44,6 +44,8 @@
 //! 1.3 times its diameter a step.) What is already deeper than that is not seen any more, nor is what passes
 //! through a whole body, or past an edge, within a step.
 
+mod edge;
+mod forest;
 mod order;
 mod point;
 mod rigid;
@@ -56,8 +58,8 @@ pub use tree::{Aabb, boxes, boxes_bytes};
 
 pub(crate) use slots::Slots;
 
+use forest::Forest;
 use glam::Vec3;
-use tree::Tree;
 
 use crate::coupling::{CoupleStep, Coupling, Piece, SOFT};
 use crate::math::sqrt;
@@ -214,14 +216,11 @@ fn moving(step: &CoupleStep<'_>, node: u32) -> Option<(Vec3, Vec3)> {
     Some((Vec3::from_array(*x), Vec3::from_array(*v)))
 }
 
-/// A piece, the tree over its triangles, and where it is.
-type Soft<'a, 'b> = (Tree<'a, 'b>, Bounds);
-
 /// Finds all contacts, in the order of the pieces and their nodes.
 #[inline(never)]
 pub(crate) fn find(
     pieces: &[Piece<'_>],
-    mut boxes: &mut [Aabb],
+    boxes: &mut [Aabb],
     rigids: &[Rigid],
     step: &CoupleStep<'_>,
     slots: &mut Slots<'_>,
@@ -232,26 +231,34 @@ pub(crate) fn find(
         margin,
         slots,
     };
-    let mut soft = heapless::Vec::<Soft<'_, '_>, MAX_PIECES>::new();
-    for piece in pieces {
-        let mut own = (Tree::new(piece, &mut boxes), Bounds::of_piece(piece, step));
-        for other in &mut soft {
-            if let Some(region) = own.1.meet(&other.1, margin) {
-                own.0.fit(step);
-                other.0.fit(step);
-                surface::pair(&mut touch, other.0.piece, &own.0, &region);
-                surface::pair(&mut touch, piece, &other.0, &region);
+    let mut forest = Forest::new(pieces, boxes);
+    let mut bounds = heapless::Vec::<Bounds, MAX_PIECES>::new();
+    for (index, piece) in pieces.iter().enumerate() {
+        let own = Bounds::of_piece(piece, step);
+        for (other, theirs) in bounds.iter().enumerate() {
+            let Some(region) = own.meet(theirs, margin) else {
+                continue;
+            };
+            forest.fit(other, step);
+            forest.fit(index, step);
+            if let (Some(a), Some(b)) = (forest.surface(other), forest.surface(index)) {
+                surface::pair(&mut touch, &a, &b, &region);
+                surface::pair(&mut touch, &b, &a, &region);
+                edge::pair(&mut touch, &a, &b, &region);
             }
         }
         // As many fit as `check` lets pass.
-        let _ = soft.push(own);
+        let _ = bounds.push(own);
     }
     for (index, rigid) in (1_u16..).zip(rigids) {
         let own = Bounds::of_rigid(rigid, step);
-        for (tree, bounds) in &mut soft {
-            if let Some(region) = own.meet(bounds, margin) {
-                tree.fit(step);
-                rigid::against_piece(&mut touch, index, rigid, tree, &region);
+        for (piece, theirs) in bounds.iter().enumerate() {
+            let Some(region) = own.meet(theirs, margin) else {
+                continue;
+            };
+            forest.fit(piece, step);
+            if let Some(surface) = forest.surface(piece) {
+                rigid::against_piece(&mut touch, index, rigid, &surface, &region);
             }
         }
         for (other_index, other) in (1..index).zip(rigids) {

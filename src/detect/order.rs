@@ -1,4 +1,4 @@
-//! The order of a surface's triangles in which the boxes of their tree are small.
+//! The order of a surface's triangles and edges in which the boxes of their tree are small.
 
 use core::cmp::Ordering;
 
@@ -6,30 +6,31 @@ use glam::Vec3;
 
 use super::tree::{Aabb, run};
 
-/// Sorts triangles so that those of each half, quarter, ... of the list are near each other: cut at the median of
-/// their centroids along the longest side of the box around these, down to single triangles.
+/// Sorts triangles, or edges, so that those of each half, quarter, ... of the list are near each other: cut at the
+/// median of their centroids along the longest side of the box around these, down to single ones.
 ///
-/// For the triangles of a [`Piece`](crate::coupling::Piece), from where its nodes are at rest; once, on the host where a
-/// body is baked for firmware. One list, one order, on every target. Time O(t log t), no memory.
-pub fn spatial_order(nodes: &[[f32; 3]], triangles: &mut [[u32; 3]]) {
-    let centre = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|n| nodes.get(n as usize).copied().unwrap_or_default());
-        Vec3::from_array(a) + Vec3::from_array(b) + Vec3::from_array(c)
+/// For the triangles and edges of a [`Piece`](crate::coupling::Piece), from where its nodes are at rest; once, on the host
+/// where a body is baked for firmware. One list, one order, on every target. Time O(t log t), no memory.
+pub fn spatial_order<const N: usize>(nodes: &[[f32; 3]], items: &mut [[u32; N]]) {
+    let centre = |item: &[u32; N]| {
+        item.iter().fold(Vec3::ZERO, |sum, &n| {
+            sum + Vec3::from_array(nodes.get(n as usize).copied().unwrap_or_default())
+        })
     };
-    let count = triangles.len();
+    let count = items.len();
     let mut level = 0;
     while 1 << level < count {
         for i in 0..1 << level {
             let whole = run(i, level, count);
             let middle = run(2 * i, level + 1, count).len();
-            let part = triangles.get_mut(whole).unwrap_or_default();
+            let part = items.get_mut(whole).unwrap_or_default();
             let mut around = Aabb::NONE;
-            for triangle in &*part {
-                around.add(centre(triangle));
+            for item in &*part {
+                around.add(centre(item));
             }
             let axis = longest(around.high - around.low);
-            let along = |t: &[u32; 3]| centre(t).to_array()[axis];
-            let before = |a: &[u32; 3], b: &[u32; 3]| -> Ordering {
+            let along = |item: &[u32; N]| centre(item).to_array()[axis];
+            let before = |a: &[u32; N], b: &[u32; N]| -> Ordering {
                 along(a).total_cmp(&along(b)).then_with(|| a.cmp(b))
             };
             if middle < part.len() {
@@ -65,6 +66,6 @@ mod tests {
             spatial_order(&nodes, &mut triangles);
             assert_eq!(triangles, row);
         }
-        spatial_order(&nodes, &mut []);
+        spatial_order::<3>(&nodes, &mut []);
     }
 }

@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
+use super::forest::Surface;
 use super::point::box_distance;
 use super::surface::{nearest, reach};
-use super::tree::Tree;
 use super::{Bounds, Side, Touch, moving};
 use crate::math::sqrt;
 use crate::rigid::{Rigid, Shape};
@@ -49,10 +49,10 @@ pub(super) fn against_piece(
     touch: &mut Touch<'_, '_>,
     index: u16,
     rigid: &Rigid,
-    tree: &Tree<'_, '_>,
+    surface: &Surface<'_>,
     region: &Bounds,
 ) {
-    let piece = tree.piece;
+    let piece = surface.piece;
     for &node in piece.nodes {
         let Some((x, v)) = moving(touch.step, node) else {
             continue;
@@ -72,7 +72,7 @@ pub(super) fn against_piece(
     match rigid.shape {
         Shape::Ball { radius } => {
             let centre = rigid.frame.centre;
-            if let Some(found) = nearest(touch.step, centre, tree, reach + radius) {
+            if let Some(found) = nearest(touch.step, centre, surface, reach + radius) {
                 let at = centre - found.normal * radius;
                 touch.pair(
                     Side::of_rigid(index, rigid, at),
@@ -84,7 +84,7 @@ pub(super) fn against_piece(
         }
         Shape::Cuboid { half } => {
             for corner in corners(rigid, half) {
-                if let Some(found) = nearest(touch.step, corner, tree, reach) {
+                if let Some(found) = nearest(touch.step, corner, surface, reach) {
                     touch.pair(
                         Side::of_rigid(index, rigid, corner),
                         found.side,

@@ -2,10 +2,11 @@
 
 use glam::Vec3;
 
+use super::forest::Surface;
 use super::point::on_triangle;
-use super::tree::Tree;
+use super::tree::Aabb;
 use super::{Bounds, DEPTH, Side, Touch, moving};
-use crate::coupling::{CoupleStep, Piece};
+use crate::coupling::CoupleStep;
 use crate::math::sqrt;
 
 /// Distances that differ by less than half this part are the same: of triangles that meet there, the one that faces
@@ -57,12 +58,13 @@ fn foot(p: Vec3, [a, b, c]: [Vec3; 3]) -> Option<Foot> {
 pub(super) fn nearest(
     step: &CoupleStep<'_>,
     p: Vec3,
-    tree: &Tree<'_, '_>,
+    surface: &Surface<'_>,
     reach: f32,
 ) -> Option<Nearest> {
+    let (tree, here) = (&surface.triangles, Aabb::at(p));
     let mut least = reach * reach;
     let mut found = false;
-    tree.walk(step, p, &mut least, |_, corners, least| {
+    tree.walk(step, &here, &mut least, |_, corners, least| {
         if let Some(foot) = foot(p, corners)
             && foot.square <= *least
         {
@@ -76,7 +78,7 @@ pub(super) fn nearest(
     let tiny = 1e-5 * step.length_unit;
     let mut limit = least * (1.0 + SAME) + tiny * tiny;
     let mut best: Option<(f32, u32, Nearest)> = None;
-    tree.walk(step, p, &mut limit, |index, corners, limit| {
+    tree.walk(step, &here, &mut limit, |index, corners, limit| {
         let Some(foot) = foot(p, corners) else {
             return;
         };
@@ -103,17 +105,12 @@ pub(super) fn nearest(
             };
             (foot.apart / signed, signed)
         };
-        let [i, j, k] = tree
-            .piece
-            .triangles
-            .get(index as usize)
-            .copied()
-            .unwrap_or_default();
+        let [i, j, k] = tree.items.get(index as usize).copied().unwrap_or_default();
         let [u, v, w] = foot.weights;
         let side = Side {
             nodes: [i, j, k, i],
             weights: [u, v, w, 0.0],
-            friction: tree.piece.friction,
+            friction: surface.piece.friction,
             ..Side::NONE
         };
         best = Some((facing, index, Nearest { side, normal, gap }));
@@ -130,12 +127,12 @@ pub(super) fn reach(touch: &Touch<'_, '_>, speed: f32) -> f32 {
 #[inline(never)]
 pub(super) fn pair(
     touch: &mut Touch<'_, '_>,
-    of: &Piece<'_>,
-    other: &Tree<'_, '_>,
+    of: &Surface<'_>,
+    other: &Surface<'_>,
     region: &Bounds,
 ) {
     let reach = reach(touch, region.speed);
-    for &node in of.nodes {
+    for &node in of.piece.nodes {
         let Some((x, v)) = moving(touch.step, node) else {
             continue;
         };
@@ -144,7 +141,7 @@ pub(super) fn pair(
         }
         if let Some(found) = nearest(touch.step, x, other, reach) {
             touch.pair(
-                Side::node(node, of.friction),
+                Side::node(node, of.piece.friction),
                 found.side,
                 found.normal,
                 found.gap,
@@ -176,7 +173,7 @@ mod tests {
             let corners = [point(thin), point(thin), point(thin)];
             let p = point(1.0);
             if let Some(foot) = foot(p, corners) {
-                let square = around(&corners).square(p);
+                let square = around(&corners).square(&Aabb::at(p));
                 assert!(
                     foot.square >= square,
                     "{p} {corners:?}: {} {square}",

@@ -1,7 +1,7 @@
-//! Boxes around runs of a surface's triangles: a complete binary tree without pointers.
+//! Boxes around runs of a surface's triangles, or of its edges: a complete binary tree without pointers.
 //!
-//! Box 1 is around all t triangles, boxes 2k and 2k + 1 are the two halves of box k, and leaf i of 2^l is around triangles
-//! ⌊i t/2^l⌋ to ⌊(i + 1) t/2^l⌋. So the tree is known from t alone, is as good as the order of the triangles is
+//! Box 1 is around all t items, boxes 2k and 2k + 1 are the two halves of box k, and leaf i of 2^l is around items
+//! ⌊i t/2^l⌋ to ⌊(i + 1) t/2^l⌋. So the tree is known from t alone, is as good as the order of the items is
 //! ([`spatial_order`](super::spatial_order)), and what changes from step to step is boxes only, refitted from the leaves up
 //! (van den Bergen, "Efficient Collision Detection of Complex Deformable Models using AABB Trees", 1997).
 //!
@@ -17,21 +17,24 @@ use core::ops::Range;
 
 use glam::Vec3;
 
-use crate::coupling::{CoupleStep, Piece};
+use crate::coupling::CoupleStep;
 
-/// Triangles of a leaf, at most, where there is room for all boxes.
+/// Items of a leaf, at most, where there is room for all boxes.
 const RUN: usize = 4;
 
-/// Boxes for the search among so many triangles of a piece; with fewer it is slower, and finds the same.
+/// Boxes for the search among so many triangles of a piece, or edges; with fewer it is slower, and finds the same.
 #[must_use]
-pub const fn boxes(triangles: usize) -> usize {
-    2 * triangles.div_ceil(RUN).next_power_of_two() - 1
+pub const fn boxes(items: usize) -> usize {
+    if items <= RUN {
+        return 0;
+    }
+    2 * items.div_ceil(RUN).next_power_of_two() - 1
 }
 
 /// [`boxes`] in bytes.
 #[must_use]
-pub const fn boxes_bytes(triangles: usize) -> usize {
-    boxes(triangles) * size_of::<Aabb>()
+pub const fn boxes_bytes(items: usize) -> usize {
+    boxes(items) * size_of::<Aabb>()
 }
 
 /// A box along the axes, metres.
@@ -94,9 +97,16 @@ impl Aabb {
         }
     }
 
-    /// Of the distance of `p`, 0 inside.
-    pub(super) fn square(&self, p: Vec3) -> f32 {
-        let outside = each(self.low - p, p - self.high, more);
+    pub(super) fn at(point: Vec3) -> Self {
+        Self {
+            low: point,
+            high: point,
+        }
+    }
+
+    /// Of the distance between both, 0 where they meet.
+    pub(super) fn square(&self, other: &Self) -> f32 {
+        let outside = each(self.low - other.high, other.low - self.high, more);
         let outside = each(outside, Vec3::ZERO, more);
         outside.dot(outside)
     }
@@ -114,80 +124,66 @@ fn more(a: f32, b: f32) -> f32 {
     if b > a { b } else { a }
 }
 
-/// Triangles of leaf `i` of 2^`levels`.
-pub(super) fn run(i: usize, levels: u32, triangles: usize) -> Range<usize> {
-    // Both below 2³²: nodes and their triangles are counted in u32.
-    let cut = |i: usize| ((i as u64 * triangles as u64) >> levels) as usize;
+/// Items of leaf `i` of 2^`levels`.
+pub(super) fn run(i: usize, levels: u32, items: usize) -> Range<usize> {
+    // Both below 2³²: nodes and what is between them are counted in u32.
+    let cut = |i: usize| ((i as u64 * items as u64) >> levels) as usize;
     cut(i)..cut(i + 1)
 }
 
-/// The tree over a piece's triangles, in memory of the caller's.
-#[derive(Debug)]
-pub(super) struct Tree<'a, 'b> {
-    pub piece: &'a Piece<'a>,
-    boxes: &'b mut [Aabb],
-    levels: u32,
-    fitted: bool,
+/// Half as many as there are boxes, as a power of two: log₂ of the leaves. 0, one run of all, without boxes.
+fn levels(boxes: &[Aabb]) -> u32 {
+    boxes.len().div_ceil(2).checked_ilog2().unwrap_or(0)
 }
 
-impl<'a, 'b> Tree<'a, 'b> {
-    /// As deep as there are boxes for, from the front of `left`; without any, one run of all triangles.
-    pub fn new(piece: &'a Piece<'a>, left: &mut &'b mut [Aabb]) -> Self {
-        let most = boxes(piece.triangles.len());
-        let room = if left.len() < most { left.len() } else { most };
-        let levels = room.div_ceil(2).checked_ilog2().unwrap_or(0);
-        let (boxes, rest) = core::mem::take(left)
-            .split_at_mut_checked(room)
-            .unwrap_or_default();
-        *left = rest;
-        Self {
-            piece,
-            boxes,
-            levels,
-            fitted: false,
-        }
-    }
-
-    /// Box `k`, from 1.
-    fn at(&self, k: usize) -> Option<&Aabb> {
-        self.boxes.get(k.wrapping_sub(1))
-    }
-
-    /// Fits the boxes to where the nodes are, once a step.
-    #[inline(never)]
-    pub fn fit(&mut self, step: &CoupleStep<'_>) {
-        if self.fitted || self.boxes.is_empty() {
-            return;
-        }
-        self.fitted = true;
-        let leaves = 1_usize << self.levels;
-        for k in (1..2 * leaves).rev() {
-            let around = match (self.at(2 * k), self.at(2 * k + 1)) {
-                (Some(a), Some(b)) if k < leaves => a.join(b),
-                _ => {
-                    let run = run(k - leaves, self.levels, self.piece.triangles.len());
-                    let triangles = self.piece.triangles.get(run).unwrap_or_default();
-                    let corners = triangles.iter().filter_map(|nodes| corners(step, nodes));
-                    corners.fold(Aabb::NONE, |all, own| all.join(&around(&own)))
-                }
-            };
-            if let Some(place) = self.boxes.get_mut(k - 1) {
-                *place = around;
+/// Fits boxes to where the nodes are.
+#[inline(never)]
+pub(super) fn fit<const N: usize>(boxes: &mut [Aabb], items: &[[u32; N]], step: &CoupleStep<'_>) {
+    let levels = levels(boxes);
+    let leaves = 1_usize << levels;
+    for k in (1..2 * leaves).rev() {
+        let child = |c: usize| boxes.get(c.wrapping_sub(1));
+        let around = match (child(2 * k), child(2 * k + 1)) {
+            (Some(a), Some(b)) if k < leaves => a.join(b),
+            _ => {
+                let items = items.get(run(k - leaves, levels, items.len()));
+                let corners = items.unwrap_or_default().iter();
+                let corners = corners.filter_map(|nodes| corners_of(step, nodes));
+                corners.fold(Aabb::NONE, |all, own| all.join(&around(&own)))
             }
+        };
+        if let Some(place) = boxes.get_mut(k - 1) {
+            *place = around;
         }
     }
+}
 
-    /// Calls `look` for the triangles whose boxes are no farther from `p` than the root of `limit`, near boxes first;
+/// The tree over the triangles or edges of a piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tree<'a, const N: usize> {
+    /// Nodes of each.
+    pub items: &'a [[u32; N]],
+    /// Fitted.
+    pub boxes: &'a [Aabb],
+}
+
+impl<const N: usize> Tree<'_, N> {
+    /// Calls `look` for the items whose boxes are no farther from `from` than the root of `limit`, near boxes first;
     /// it may lower the limit.
     pub fn walk(
         &self,
         step: &CoupleStep<'_>,
-        p: Vec3,
+        from: &Aabb,
         limit: &mut f32,
-        mut look: impl FnMut(u32, [Vec3; 3], &mut f32),
+        mut look: impl FnMut(u32, [Vec3; N], &mut f32),
     ) {
-        let leaves = 1_usize << self.levels;
-        let square = |k: usize| self.at(k).map_or(0.0, |b| b.square(p));
+        let levels = levels(self.boxes);
+        let leaves = 1_usize << levels;
+        // Boxes are counted from 1.
+        let square = |k: usize| {
+            let here = self.boxes.get(k.wrapping_sub(1));
+            here.map_or(0.0, |b| b.square(from))
+        };
         // A bit for each level below the root: whether it is the second of its pair that is being visited.
         let (mut k, mut seconds) = (1_usize, 0_u32);
         loop {
@@ -198,8 +194,8 @@ impl<'a, 'b> Tree<'a, 'b> {
                 continue;
             }
             if near {
-                let run = run(k - leaves, self.levels, self.piece.triangles.len());
-                self.each_of(run, step, p, limit, &mut look);
+                let run = run(k - leaves, levels, self.items.len());
+                self.each_of(run, step, from, limit, &mut look);
             }
             while seconds & 1 == 1 {
                 seconds >>= 1;
@@ -217,30 +213,37 @@ impl<'a, 'b> Tree<'a, 'b> {
         &self,
         run: Range<usize>,
         step: &CoupleStep<'_>,
-        p: Vec3,
+        from: &Aabb,
         limit: &mut f32,
-        look: &mut impl FnMut(u32, [Vec3; 3], &mut f32),
+        look: &mut impl FnMut(u32, [Vec3; N], &mut f32),
     ) {
-        let triangles = self.piece.triangles.get(run.clone()).unwrap_or_default();
-        for (index, nodes) in run.zip(triangles) {
-            let Some(corners) = corners(step, nodes) else {
+        let items = self.items.get(run.clone()).unwrap_or_default();
+        for (index, nodes) in run.zip(items) {
+            let Some(corners) = corners_of(step, nodes) else {
                 continue;
             };
-            if around(&corners).square(p) <= *limit {
+            if around(&corners).square(from) <= *limit {
                 look(index as u32, corners, limit);
             }
         }
     }
 }
 
-fn corners(step: &CoupleStep<'_>, &[i, j, k]: &[u32; 3]) -> Option<[Vec3; 3]> {
-    let place = |node: u32| step.x.get(node as usize).map(|x| Vec3::from_array(*x));
-    Some([place(i)?, place(j)?, place(k)?])
+pub(super) fn corners_of<const N: usize>(
+    step: &CoupleStep<'_>,
+    nodes: &[u32; N],
+) -> Option<[Vec3; N]> {
+    let mut corners = [Vec3::ZERO; N];
+    for (corner, &node) in corners.iter_mut().zip(nodes) {
+        *corner = Vec3::from_array(*step.x.get(node as usize)?);
+    }
+    Some(corners)
 }
 
-pub(super) fn around(&[a, b, c]: &[Vec3; 3]) -> Aabb {
-    let mut out = Aabb { low: a, high: a };
-    out.add(b);
-    out.add(c);
+pub(super) fn around(corners: &[Vec3]) -> Aabb {
+    let mut out = Aabb::NONE;
+    for &corner in corners {
+        out.add(corner);
+    }
     out.widened()
 }

@@ -4,6 +4,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod edges;
 mod free;
 mod limits;
 mod oracle;
