@@ -24,6 +24,8 @@ use crate::scene_file::{self as file, SceneFile};
 pub struct Coupled {
     /// Contacts and links that there is room for.
     pub capacity: usize,
+    /// Whether sharp edges of soft bodies touch each other.
+    pub edges: bool,
     /// Coulomb's coefficient of each body; soft ones first, then rigid ones.
     pub friction: Vec<f32>,
     pub rigid: Vec<RigidBody>,
@@ -131,6 +133,7 @@ pub fn check(checker: &Checker, raw: &SceneFile, bodies: &mut Vec<Body>) -> Resu
     }
     Ok(Coupled {
         capacity,
+        edges: contact.edges,
         friction,
         rigid,
         links,
@@ -419,6 +422,9 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
     let mesh = |e: femto::mesh::MeshError| wrong(0, scene.bodies[0].source.clone(), e.to_string());
     let checked = Mesh::new(&parts.nodes, &ordered.tets).map_err(mesh)?;
     let rest = L::build(&checked, &regions, &substances, &ordered.original).map_err(mesh)?;
+    if coupled.edges {
+        parts.touch_by_edges();
+    }
     let rigids = parts.rigids();
     let point = |end: End| match end {
         End::Node(node) => [(node, 1.0), (0, 0.0), (0, 0.0), (0, 0.0)],

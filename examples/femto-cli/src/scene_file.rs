@@ -42,6 +42,7 @@ pub struct SceneFile {
 pub struct Contact {
     pub friction: f64,
     pub capacity: u32,
+    pub edges: bool,
 }
 
 impl Default for Contact {
@@ -49,6 +50,7 @@ impl Default for Contact {
         Contact {
             friction: 0.0,
             capacity: 256,
+            edges: false,
         }
     }
 }
