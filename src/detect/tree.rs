@@ -57,6 +57,7 @@ impl Aabb {
         high: Vec3::NEG_INFINITY,
     };
 
+    #[inline]
     pub(super) fn add(&mut self, point: Vec3) {
         self.low = each(self.low, point, less);
         self.high = each(self.high, point, more);
@@ -88,6 +89,7 @@ impl Aabb {
     }
 
     /// 16 ε M wider on each axis.
+    #[inline]
     fn widened(&self) -> Self {
         let most = each(self.low.abs(), self.high.abs(), more);
         let slack = most * (8.0 * f32::EPSILON);
@@ -105,6 +107,7 @@ impl Aabb {
     }
 
     /// Of the distance between both, 0 where they meet.
+    #[inline]
     pub(super) fn square(&self, other: &Self) -> f32 {
         let outside = each(self.low - other.high, other.low - self.high, more);
         let outside = each(outside, Vec3::ZERO, more);
@@ -112,6 +115,7 @@ impl Aabb {
     }
 }
 
+#[inline]
 fn each(a: Vec3, b: Vec3, f: impl Fn(f32, f32) -> f32) -> Vec3 {
     Vec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
 }
@@ -186,11 +190,13 @@ impl<const N: usize> Tree<'_, N> {
         };
         // A bit for each level below the root: whether it is the second of its pair that is being visited.
         let (mut k, mut seconds) = (1_usize, 0_u32);
+        let mut near = square(k) <= *limit;
         loop {
-            let near = square(k) <= *limit;
             if near && k < leaves {
-                k = 2 * k + usize::from(square(2 * k + 1) < square(2 * k));
+                let (a, b) = (square(2 * k), square(2 * k + 1));
+                k = 2 * k + usize::from(b < a);
                 seconds <<= 1;
+                near = (if b < a { b } else { a }) <= *limit;
                 continue;
             }
             if near {
@@ -206,6 +212,7 @@ impl<const N: usize> Tree<'_, N> {
             }
             seconds |= 1;
             k ^= 1;
+            near = square(k) <= *limit;
         }
     }
 
@@ -229,6 +236,7 @@ impl<const N: usize> Tree<'_, N> {
     }
 }
 
+#[inline]
 pub(super) fn corners_of<const N: usize>(
     step: &CoupleStep<'_>,
     nodes: &[u32; N],
@@ -240,6 +248,7 @@ pub(super) fn corners_of<const N: usize>(
     Some(corners)
 }
 
+#[inline]
 pub(super) fn around(corners: &[Vec3]) -> Aabb {
     let mut out = Aabb::NONE;
     for &corner in corners {

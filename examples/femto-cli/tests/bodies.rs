@@ -128,6 +128,31 @@ fn bodies_of_several_materials_and_with_fibres_touch() {
 }
 
 #[test]
+fn edges_touch_where_the_scene_says_so() {
+    let folder = Folder::new();
+    // A bar that stands on an edge, along x, and one across it that falls: nodes meet nothing.
+    let bar = |size: &str, cells: &str, rest: &str| {
+        format!(
+            "[[body]]\nmesh = {{ box = {size}, cells = {cells} }}\nyoung = 1e6\npoisson = 0.3\ndensity = 1000.0\n{rest}\n"
+        )
+    };
+    let scene = [
+        "gravity = [0, 0, 0]\n[time]\ndt = 0.005\nsteps = 80\n[contact]\nedges = EDGES\n",
+        &bar("[1.2, 0.1, 0.1]", "[3, 1, 1]", "rotate = { axis = [1, 0, 0], degrees = 45 }\ntranslate = [-0.6, 0.0, 0.0]"),
+        &bar("[0.1, 0.1, 1.2]", "[1, 1, 3]", "rotate = { axis = [0, 0, 1], degrees = 45 }\ntranslate = [0.0, 0.16, -0.6]\nvelocity = [0.0, -1.0, 0.0]"),
+    ]
+    .concat();
+    let contacts = |edges: &str| {
+        folder.run(&scene.replace("EDGES", edges), &[]).succeeds();
+        let (head, rows) = table(&folder.read("out/trace.csv"));
+        let column = head.iter().position(|h| h == "contacts").expect("a column");
+        rows.iter().map(|row| row[column]).fold(0.0, f64::max)
+    };
+    assert_eq!(contacts("false"), 0.0);
+    assert!(contacts("true") > 0.0);
+}
+
+#[test]
 fn contacts_without_room_are_reported() {
     let folder = Folder::new();
     let run = folder
@@ -149,6 +174,7 @@ const ROWS: &[(&str, &str, &str)] = &[
     ("capacity = 200", "capacity = 1", "contact.capacity = 1: must be at least 2, one for each attachment and spring"),
     ("capacity = 200", "capacity = -1", "line 9, column 12: `capacity = -1`: contact.capacity: invalid value"),
     ("capacity = 200", "room = 3", "line 9, column 1: `room = 3`: contact.room: unknown field `room`"),
+    ("capacity = 200", "edges = 1", "line 9, column 9: `edges = 1`: contact.edges: invalid type"),
     ("dt = 0.005", "dt = 0.005\ntheta = 0.5", "time.theta = 0.5: must be 1 where bodies touch or are joined"),
     ("dt = 0.005", "dt = 0.005\n[solver]\nenergy_guard = true", "solver.energy_guard = true: not where bodies touch or are joined"),
     ("density = 500.0", "density = 500.0\nbeta = 0.01", "body[1].beta = 0.01: must be body[0]'s 0.0"),

@@ -1,14 +1,15 @@
 //! What contact between bodies costs: steps of scenes with it and without, in fastest steps of the snowman.
 //!
-//! `cargo run --release -p femto-cli --example contact [SCENE...]`
+//! `cargo run --release -p femto-bench --bin contact [SCENE...]`
 
+use femto_bench::clock;
 use femto_cli::contact_cost::{Search, step_times};
 
-const RUNS: usize = 3;
+const RUNS: usize = 5;
 
 fn main() -> Result<(), String> {
     let only: Vec<String> = std::env::args().skip(1).collect();
-    let snowman = step_times("snowman", Search::None, RUNS)?[0];
+    let snowman = step_times("snowman", Search::None, RUNS, clock::now)?[0];
     println!("the snowman's fastest step: {:.3} ms\n", 1e3 * snowman);
     println!("| scene | search | fastest | median | slowest |\n|---|---|---|---|---|");
     for (scene, rigid) in [("tower", false), ("bowling", true), ("cars", false)] {
@@ -19,7 +20,7 @@ fn main() -> Result<(), String> {
             if rigid && search == Search::None {
                 continue;
             }
-            let times = step_times(scene, search, RUNS)?;
+            let times = step_times(scene, search, RUNS, clock::now)?;
             let [first, middle, last] =
                 [0, times.len() / 2, times.len() - 1].map(|k| times[k] / snowman);
             println!("| `{scene}` | {search:?} | {first:.2} | {middle:.2} | {last:.2} |");
