@@ -271,9 +271,15 @@ pub(crate) fn fnv1a(start: u64, bytes: impl IntoIterator<Item = u8>) -> u64 {
     })
 }
 
+/// The same over the little-endian bytes of a word. In a binary once: written out wherever it is used, it would be long.
+#[inline(never)]
+pub(crate) fn fnv1a_word(start: u64, word: u32) -> u64 {
+    fnv1a(start, word.to_le_bytes())
+}
+
 /// The same over the little-endian bytes of numbers. (Flattened iterators would be longer code.)
 pub(crate) fn fnv1a_of(start: u64, numbers: &[f32]) -> u64 {
     numbers
         .iter()
-        .fold(start, |hash, x| fnv1a(hash, x.to_le_bytes()))
+        .fold(start, |hash, x| fnv1a_word(hash, x.to_bits()))
 }

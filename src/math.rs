@@ -140,9 +140,8 @@ pub fn ratio_or_zero(numerator: f32, denominator: f32, floor: f32) -> f32 {
 #[inline(always)]
 #[must_use]
 pub(crate) fn ratio(numerator: f32, denominator: f32, floor: f32) -> f32 {
-    let usable = denominator > floor;
-    let quotient = numerator / select(usable, denominator, 1.0);
-    Mask::of(usable & quotient.is_finite()).keep(quotient)
+    let quotient = numerator / denominator;
+    Mask::of((denominator > floor) & quotient.is_finite()).keep(quotient)
 }
 
 /// The largest power of two not above `x`, for finite `x ≥ f32::MIN_POSITIVE`; 1 otherwise.

@@ -68,8 +68,7 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
         .flatten()
         .fold(R::splat(0.0), |sum, x| sum + x.abs() * sixteenth);
     let none = size.below(R::splat(f32::MIN_POSITIVE * 16.0));
-    let scale = sixteenth / R::pick(none, R::splat(1.0), size);
-    let scale = R::pick(none, R::splat(0.0), scale);
+    let scale = R::pick(none, R::splat(0.0), sixteenth / size);
     each3(*f, |row| scale3(&row, scale))
 }
 
@@ -82,14 +81,21 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
     let mut q = start;
     let mut b = unrotated(&q, &normalised(f));
     for _ in 0..sweeps {
-        // Plane (p, r), its axis p × r, and the sign that makes the axis a base vector.
-        rotate_pair::<R, 0, 1, 3>(&mut q, &mut b, R::splat(1.0));
-        rotate_pair::<R, 0, 2, 2>(&mut q, &mut b, R::splat(-1.0));
-        rotate_pair::<R, 1, 2, 1>(&mut q, &mut b, R::splat(1.0));
+        // Written out, so that q and B stay in registers.
+        let [first, second, third] = PLANES;
+        rotate_pair(&mut q, &mut b, first);
+        rotate_pair(&mut q, &mut b, second);
+        rotate_pair(&mut q, &mut b, third);
         q = unit(&q);
     }
     usable(&q, &start)
 }
+
+/// The plane (p, s), the base vector of its normal, 1 to 3, and the sign of that.
+type Plane = (usize, usize, usize, f32);
+
+/// The planes of a sweep.
+const PLANES: [Plane; 3] = [(0, 1, 3, 1.0), (0, 2, 2, -1.0), (1, 2, 1, 1.0)];
 
 /// `q` if it is a unit quaternion, else `fallback`: an infinite F leaves the rotation as it was.
 #[inline(always)]
@@ -104,22 +110,20 @@ fn square<R: Real>(&[w, x, y, z]: &Quaternion<R>) -> R {
     w * w + x * x + y * y + z * z
 }
 
-/// The rotation of one pair; `AXIS` is the quaternion component of the plane's normal.
+/// The rotation of one pair.
 #[inline(always)]
-fn rotate_pair<R: Real, const P: usize, const S: usize, const AXIS: usize>(
-    q: &mut Quaternion<R>,
-    b: &mut [[R; 3]; 3],
-    sign: R,
-) {
-    let (c, s) = direction(b[P][P] + b[S][S], b[S][P] - b[P][S]);
+fn rotate_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], (p, s, axis, sign): Plane) {
+    // Only to keep the panic of an index out of the binary.
+    let (p, r) = (p % 3, s % 3);
+    let (c, s) = direction(b[p][p] + b[r][r], b[r][p] - b[p][r]);
     // B ← RᵀB
     for j in 0..3 {
-        let (bp, bs) = (b[P][j], b[S][j]);
-        b[P][j] = c * bp + s * bs;
-        b[S][j] = c * bs - s * bp;
+        let (bp, br) = (b[p][j], b[r][j]);
+        b[p][j] = c * bp + s * br;
+        b[r][j] = c * br - s * bp;
     }
     let (half_c, half_s) = half_angle(c, s);
-    *q = turned::<R, AXIS>(q, half_c, sign * half_s);
+    *q = turned(q, half_c, R::splat(sign) * half_s, axis);
 }
 
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
@@ -128,7 +132,8 @@ pub(crate) fn direction<R: Real>(a: R, d: R) -> (R, R) {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
     let square = a * a + d * d;
     let none = square.below(R::splat(1e-30));
-    let inverse = one / R::pick(none, one, square).sqrt();
+    // The infinity of a zero is not picked: nobody waits for the decision before the root.
+    let inverse = one / square.sqrt();
     (
         R::pick(none, one, a * inverse),
         R::pick(none, zero, d * inverse),
@@ -142,15 +147,17 @@ pub(crate) fn half_angle<R: Real>(c: R, s: R) -> (R, R) {
     R::swap(c.below(R::splat(0.0)), R::splat(1.0) + c.abs(), s)
 }
 
-/// q (w, s e_AXIS): a turn about a base axis.
+/// q (w, s e_axis): a turn about a base axis, 1 to 3.
 #[inline(always)]
-fn turned<R: Real, const AXIS: usize>(q: &Quaternion<R>, w: R, s: R) -> Quaternion<R> {
-    let &[a, x, y, z] = q;
-    match AXIS {
-        1 => [a * w - x * s, x * w + a * s, y * w + z * s, z * w - y * s],
-        2 => [a * w - y * s, x * w - z * s, y * w + a * s, z * w + x * s],
-        _ => [a * w - z * s, x * w + y * s, y * w - x * s, z * w + a * s],
-    }
+fn turned<R: Real>(q: &Quaternion<R>, w: R, s: R, axis: usize) -> Quaternion<R> {
+    // The axis, and the two that follow it round.
+    let (i, j, k) = (axis % 4, axis % 3 + 1, (axis + 1) % 3 + 1);
+    let mut out = *q;
+    out[0] = q[0] * w - q[i] * s;
+    out[i] = q[i] * w + q[0] * s;
+    out[j] = q[j] * w + q[k] * s;
+    out[k] = q[k] * w - q[j] * s;
+    out
 }
 
 #[inline(always)]
@@ -170,7 +177,8 @@ fn unit<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
 #[must_use]
 pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
-    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = normalised(f);
+    let f = normalised(f);
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = f;
     let mut n = [
         [xx + yy + zz, zy - yz, xz - zx, yx - xy],
         [zy - yz, xx - yy - zz, xy + yx, xz + zx],
@@ -205,7 +213,16 @@ pub fn nearest_rotation<R: Real>(f: &[[R; 3]; 3]) -> Quaternion<R> {
         best = core::array::from_fn(|c| most.where_below(n[k][k], v[k][c], best[c]));
         most = most.where_below(n[k][k], n[k][k], most);
     }
-    usable(&sweeps(&unit(&best), f, 2), &identity())
+    let mut q = unit(&best);
+    let mut b = unrotated(&q, &f);
+    for _ in 0..2 {
+        // The compiler is not to know how many there are, and write them out: speed does not count here.
+        for plane in core::hint::black_box(PLANES) {
+            rotate_pair(&mut q, &mut b, plane);
+        }
+        q = unit(&q);
+    }
+    usable(&q, &identity())
 }
 
 /// Jacobi's method squares its error in a sweep once it is small; six bring a 4×4 matrix to f64's end.

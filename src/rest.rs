@@ -4,7 +4,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use crate::element::{Factored, Layout};
-use crate::energy::{FNV_START, fnv1a, fnv1a_of};
+use crate::energy::{FNV_START, fnv1a_of, fnv1a_word};
 use crate::lane::{BLOCK, blocks};
 use crate::material::{Material, Materials};
 use crate::math::power_of_two_below;
@@ -280,13 +280,10 @@ pub(crate) fn fill<L: Layout>(
 
 /// 64-bit FNV-1a over the bytes of the nodes' coordinates, then the tetrahedra's corners.
 pub(crate) fn fingerprint(nodes: &[[f32; 3]], tets: impl Iterator<Item = [u32; 4]>) -> u64 {
-    let mut hash = fnv1a_of(FNV_START, nodes.as_flattened());
-    for corners in tets {
-        for corner in corners {
-            hash = fnv1a(hash, corner.to_le_bytes());
-        }
-    }
-    hash
+    let hash = fnv1a_of(FNV_START, nodes.as_flattened());
+    tets.fold(hash, |hash, corners| {
+        corners.into_iter().fold(hash, fnv1a_word)
+    })
 }
 
 /// Bytes of rest data.

@@ -69,10 +69,9 @@ fn check_blocks(rest: &Rest<'_>) -> Result<(), AssetError> {
     let mut number = 0;
     for block in rest.blocks {
         for lane in 0..BLOCK {
-            let tet = Tet::of(block, lane);
             if number < tets {
-                tet.check(number, rest.nodes.len())?;
-            } else if !tet.is_zero() {
+                check_tet(block, lane, number, rest.nodes.len())?;
+            } else if !is_zero(block, lane) {
                 return Err(AssetError::Padding { tet: number });
             }
             number += 1;
@@ -88,69 +87,49 @@ fn check_header(rest: &Rest<'_>) -> Result<(), AssetError> {
         total += f64::from(mass);
     }
     let is_unit = |x: f32| x >= f32::MIN_POSITIVE && x.is_finite() && power_of_two_below(x) == x;
-    let wrong = [
-        (!is_unit(header.length_unit), HeaderField::LengthUnit),
-        (!is_unit(header.mass_unit), HeaderField::MassUnit),
-        (
-            to_f32(total) != header.total_mass || !header.total_mass.is_finite(),
-            HeaderField::TotalMass,
-        ),
-        (
-            fingerprint(rest.nodes, rest.tets()) != header.fingerprint,
-            HeaderField::Fingerprint,
-        ),
-    ];
-    let first = wrong.into_iter().find(|(wrong, _)| *wrong);
-    first.map_or(Ok(()), |(_, field)| Err(AssetError::Header(field)))
+    let field = if !is_unit(header.length_unit) {
+        HeaderField::LengthUnit
+    } else if !is_unit(header.mass_unit) {
+        HeaderField::MassUnit
+    } else if to_f32(total) != header.total_mass || !header.total_mass.is_finite() {
+        HeaderField::TotalMass
+    } else if fingerprint(rest.nodes, rest.tets()) != header.fingerprint {
+        HeaderField::Fingerprint
+    } else {
+        return Ok(());
+    };
+    Err(AssetError::Header(field))
 }
 
-/// One tetrahedron of a block.
-struct Tet {
-    corners: [u32; 4],
-    gradients: [[f32; 3]; 3],
-    lambda_v: f32,
-    mu_v: f32,
+fn check_tet(block: &TetBlock, lane: usize, tet: u32, nodes: usize) -> Result<(), AssetError> {
+    let lane = lane % BLOCK;
+    let corners = block.corners.map(|corner| corner[lane]);
+    for (corner, &node) in corners.iter().enumerate() {
+        let mut before = corners.iter().take(corner);
+        if node as usize >= nodes || before.any(|&other| other == node) {
+            return Err(AssetError::Corner { tet, node });
+        }
+    }
+    let (lambda, mu) = (block.lambda_v[lane], block.mu_v[lane]);
+    // |g₀|² is at most three times the sum of the others'; NaN and infinity fail here too.
+    let mut square = 0.0;
+    for g in block.gradients.as_flattened() {
+        square += 4.0 * g[lane] * g[lane];
+    }
+    let stiffness = 2.0 * square * (lambda.abs() + 2.0 * mu);
+    // Each of the two numbers was rounded once, by half an ε of itself.
+    let definite = 3.0 * f64::from(lambda) + 2.0 * f64::from(mu)
+        >= -2.0 * f64::from(f32::EPSILON) * f64::from(mu);
+    if mu > 0.0 && mu.is_normal() && stiffness.is_finite() && definite {
+        Ok(())
+    } else {
+        Err(AssetError::Stiffness { tet })
+    }
 }
 
-impl Tet {
-    fn of(block: &TetBlock, lane: usize) -> Self {
-        Self {
-            corners: block.corners.map(|corner| corner[lane % BLOCK]),
-            gradients: block.gradients.map(|g| g.map(|axis| axis[lane % BLOCK])),
-            lambda_v: block.lambda_v[lane % BLOCK],
-            mu_v: block.mu_v[lane % BLOCK],
-        }
-    }
-
-    fn check(&self, tet: u32, nodes: usize) -> Result<(), AssetError> {
-        for (corner, &node) in self.corners.iter().enumerate() {
-            let before = self.corners.iter().take(corner);
-            if node as usize >= nodes || before.into_iter().any(|&other| other == node) {
-                return Err(AssetError::Corner { tet, node });
-            }
-        }
-        let (lambda, mu) = (self.lambda_v, self.mu_v);
-        // |g₀|² is at most three times the sum of the others'; NaN and infinity fail here too.
-        let mut square = 0.0;
-        for g in self.gradients.as_flattened() {
-            square += 4.0 * g * g;
-        }
-        let stiffness = 2.0 * square * (lambda.abs() + 2.0 * mu);
-        // Each of the two numbers was rounded once, by half an ε of itself.
-        let definite = 3.0 * f64::from(lambda) + 2.0 * f64::from(mu)
-            >= -2.0 * f64::from(f32::EPSILON) * f64::from(mu);
-        if mu > 0.0 && mu.is_normal() && stiffness.is_finite() && definite {
-            Ok(())
-        } else {
-            Err(AssetError::Stiffness { tet })
-        }
-    }
-
-    fn is_zero(&self) -> bool {
-        let numbers = self.gradients.as_flattened().iter();
-        self.corners == [0; 4]
-            && numbers
-                .chain([&self.lambda_v, &self.mu_v])
-                .all(|x| x.to_bits() == 0)
-    }
+/// Whether every number of a tetrahedron is 0, all bits.
+fn is_zero(block: &TetBlock, lane: usize) -> bool {
+    const ROWS: usize = size_of::<TetBlock>() / size_of::<[u32; BLOCK]>();
+    let rows: &[[u32; BLOCK]; ROWS] = bytemuck::cast_ref(block);
+    rows.iter().all(|row| row[lane % BLOCK] == 0)
 }

@@ -180,7 +180,7 @@ impl FileHeader {
             return Err(AssetError::Unaligned);
         }
         let given = bytes.len();
-        if !bytes.iter().zip(MAGIC).all(|(a, b)| *a == b) {
+        if !bytes.iter().zip(&MAGIC).all(|(a, b)| a == b) {
             return Err(AssetError::Magic);
         }
         let truncated = |needed| AssetError::Truncated { needed, given };
@@ -223,8 +223,8 @@ impl FileHeader {
     pub fn sections<'a>(&self, bytes: &'a [u8]) -> Result<[&'a [u8]; SECTIONS], AssetError> {
         let mut parts: [&[u8]; SECTIONS] = [&[]; SECTIONS];
         let mut end = HEADER;
-        let places = Section::ALL.into_iter().zip(self.sections);
-        for ((section, place), part) in places.zip(&mut parts) {
+        let places = Section::ALL.iter().zip(&self.sections);
+        for ((&section, place), part) in places.zip(&mut parts) {
             let wrong = |fault| AssetError::Section { section, fault };
             let out_of_range = wrong(SectionFault::OutOfRange);
             let offset = usize::try_from(place.offset).map_err(|_| out_of_range)?;

@@ -60,7 +60,7 @@ fn inverse(a: &Sym3<f32>, [dx, dy, dz]: [f32; 3]) -> Sym3<f32> {
     let (sx, sy, sz) = (yz * yz * dy * dz, xz * xz * dx * dz, xy * xy * dx * dy);
     let det = 1.0 - sx - sy - sz + 2.0 * (xy * dx) * (yz * dy) * (xz * dz);
     let good = Mask::of(det > 1e-5);
-    let scale = 1.0 / good.pick(det, 1.0);
+    let scale = 1.0 / det;
     let off = |x: f32| good.keep(x * scale);
     let on = |d: f32, s: f32| good.pick(d * (1.0 - s) * scale, d);
     [
