@@ -149,10 +149,7 @@ impl Assembly {
         {
             let tets = self.tets.get(part.tets.clone()).unwrap_or_default();
             let mut triangles = boundary_triangles(tets);
-            extern crate std;
-            if std::env::var("NOSORT").is_err() {
-                spatial_order(&self.nodes, &mut triangles);
-            }
+            spatial_order(&self.nodes, &mut triangles);
             let mut nodes: Vec<u32> = triangles.as_flattened().to_vec();
             nodes.sort_unstable();
             nodes.dedup();
