@@ -160,9 +160,14 @@ impl Rigid {
     /// P u
     #[inline(never)]
     pub(crate) fn project(&self, u: &mut [[f32; 3]]) {
-        let Some(u) = four_mut(u, self.first) else {
-            return;
-        };
+        if let Some(u) = four_mut(u, self.first) {
+            self.project_four(u);
+        }
+    }
+
+    /// P of its own nodes.
+    #[inline(never)]
+    pub(crate) fn project_four(&self, u: &mut [[f32; 3]; 4]) {
         let d = self.arms();
         let (mean, spin) = self.motion(u);
         for (u, d) in u.iter_mut().zip(d) {

@@ -65,8 +65,8 @@ pub(crate) trait Couple {
     fn touched<'a>(&self, masses: &'a [f32]) -> &'a [f32];
     /// Reads off where the rigid bodies are.
     fn locate(&mut self, x: &[[f32; 3]]);
-    /// Finds and decides.
-    fn decide(&mut self, step: &CoupleStep<'_>);
+    /// Finds and decides. `kept` is A v(t) (SI units but for A) and is overwritten.
+    fn decide(&mut self, step: &CoupleStep<'_>, kept: &mut [[f32; 3]]);
     /// Of what nothing holds.
     type Free<'a>: Translate + Copy
     where
@@ -101,7 +101,7 @@ impl Couple for () {
         masses
     }
     fn locate(&mut self, _: &[[f32; 3]]) {}
-    fn decide(&mut self, _: &CoupleStep<'_>) {}
+    fn decide(&mut self, _: &CoupleStep<'_>, _: &mut [[f32; 3]]) {}
     type Free<'a> = Translations<'a>;
     fn translations<'a>(&'a self, step: &FreeStep<'a>) -> Option<Translations<'a>> {
         (step.augmented && !step.pinned).then_some(Translations {

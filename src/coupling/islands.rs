@@ -2,12 +2,14 @@
 //!
 //! For such an island A' t = c_M M t exactly: K t = 0, and the weights of couplings within it sum to zero. So a piece that
 //! flies by itself falls exactly at every budget, whatever the others do, and its momentum is its own.
+//!
+//! All of it costs the same in every state: what is chosen is chosen by masks.
 
 use super::{Coupling, Piece};
 use crate::constraint::FREE;
 use crate::detect::{MAX_PIECES, MAX_RIGIDS};
 use crate::element::{Layout, Sym3};
-use crate::math::{Mask, ratio_or_zero};
+use crate::math::{Mask, ratio_or_zero, select};
 use crate::rest::Rest;
 use crate::scene::Scene;
 use crate::space::{Translate, add_motion};
@@ -16,13 +18,18 @@ use crate::vector::momentum;
 
 const MAX_PARTS: usize = MAX_PIECES + MAX_RIGIDS;
 
+/// No island.
+const NONE: u32 = u32::MAX;
+
 /// A piece or rigid body.
 #[derive(Clone, Copy, Debug)]
 struct Part {
     /// One past its last node.
     end: usize,
-    island: usize,
-    held: bool,
+    /// By the number of one of its parts.
+    island: u32,
+    /// 1 where something that does not move in the system holds it, else 0.
+    held: u32,
     /// 1 over the mass of its island where that is free, else 0, 1/kg
     per_mass: f32,
 }
@@ -39,10 +46,10 @@ impl Islands {
         let ends = pieces.iter().map(|p| p.nodes_end());
         let ends = ends.chain((1..=rigids).map(|k| soft + 4 * k));
         // No more than `check` lets pass.
-        let parts = ends.take(MAX_PARTS).enumerate().map(|(island, end)| Part {
+        let parts = (0..).zip(ends.take(MAX_PARTS)).map(|(island, end)| Part {
             end,
             island,
-            held: false,
+            held: 0,
             per_mass: 0.0,
         });
         Self {
@@ -50,57 +57,69 @@ impl Islands {
         }
     }
 
+    /// The island of a side of a coupling, given its nodes and weights; [`NONE`] where nothing has a weight.
     #[inline(never)]
-    fn of(&self, node: u32) -> Option<usize> {
-        self.parts.iter().position(|p| (node as usize) < p.end)
+    fn of(&self, nodes: &[u32], weights: &[f32]) -> u32 {
+        let (mut node, mut some) = (0, 0);
+        for (&k, &w) in nodes.iter().zip(weights) {
+            let named = Mask::of(w != 0.0);
+            node = named.pick_u32(k, node);
+            some |= named.pick_u32(1, 0);
+        }
+        // Of the first part that ends behind the node.
+        let mut island = NONE;
+        for part in self.parts.iter().rev() {
+            let behind = Mask::of((node as usize) < part.end);
+            island = behind.pick_u32(part.island, island);
+        }
+        Mask::of(some == 1).pick_u32(island, NONE)
     }
 
-    /// Joins what a coupling that acts joins, and holds what it holds.
+    /// Joins what a coupling joins, and holds what it holds, where it acts.
     #[inline(never)]
-    pub fn join(&mut self, slot: &Coupling) {
-        let mut nodes = slot.weights();
-        let mut first = None;
-        let mut second = None;
-        for (k, (node, w)) in nodes.by_ref().enumerate() {
-            let side = if k < 4 { &mut first } else { &mut second };
-            if w != 0.0 {
-                *side = Some(node);
-            }
-        }
-        let island = |of: &Self, node: Option<u32>| {
-            let part = of.of(node?)?;
-            Some(of.parts.get(part)?.island)
+    pub fn join(&mut self, slot: &Coupling, acts: bool) {
+        let (nodes, weights) = (
+            slot.nodes.as_chunks::<4>().0,
+            slot.weights.as_chunks::<4>().0,
+        );
+        let ([first, second], [own, other]) = (nodes, weights) else {
+            return;
         };
-        let (a, b) = (island(self, first), island(self, second));
+        let (a, b) = (self.of(first, own), self.of(second, other));
+        let holds = (a == NONE) | (b == NONE);
+        let joined_to = Mask::of(a == NONE).pick_u32(b, a);
         for part in self.parts.iter_mut() {
-            let joined = Some(part.island) == a || Some(part.island) == b;
-            part.held |= joined && (a.is_none() || b.is_none());
-            if joined {
-                part.island = a.unwrap_or(part.island);
-            }
+            let joins = acts & ((part.island == a) | (part.island == b));
+            part.held |= Mask::of(joins & holds).pick_u32(1, 0);
+            part.island = Mask::of(joins).pick_u32(joined_to, part.island);
         }
     }
 
     /// Holds the parts whose nodes touch or are pinned, and weighs the islands.
     #[inline(never)]
     pub fn weigh(&mut self, masses: &[f32], filter: &[Sym3<f32>]) {
-        let mut sums = [(0.0_f32, false); MAX_PARTS];
+        let mut sums = [(0.0_f32, 0_u32); MAX_PARTS];
         let mut start = 0;
         for part in &self.parts {
             let range = start..part.end;
             start = part.end;
-            let Some((mass, held)) = sums.get_mut(part.island) else {
+            let Some((mass, held)) = sums.get_mut(part.island as usize) else {
                 continue;
             };
             for m in masses.get(range.clone()).unwrap_or_default() {
                 *mass += m;
             }
             let nodes = filter.get(range).unwrap_or_default();
-            *held |= part.held | nodes.iter().fold(false, |held, p| held | (*p != FREE));
+            *held |= part.held;
+            for p in nodes {
+                let entries = p.iter().zip(&FREE);
+                let free = entries.fold(true, |free, (a, b)| free & (a == b));
+                *held |= Mask::of(free).pick_u32(0, 1);
+            }
         }
         for part in self.parts.iter_mut() {
-            let (mass, held) = sums.get(part.island).copied().unwrap_or_default();
-            part.per_mass = Mask::of(!held).keep(ratio_or_zero(1.0, mass, 0.0));
+            let (mass, held) = sums.get(part.island as usize).copied().unwrap_or_default();
+            part.per_mass = select(held == 0, ratio_or_zero(1.0, mass, 0.0), 0.0);
         }
     }
 
@@ -109,7 +128,7 @@ impl Islands {
         let mut sums = [[0.0_f32; 3]; MAX_PARTS];
         let mut start = 0;
         for part in &self.parts {
-            if let Some(out) = sums.get_mut(part.island) {
+            if let Some(out) = sums.get_mut(part.island as usize) {
                 for (out, part) in out.iter_mut().zip(sum(start..part.end)) {
                     *out += part;
                 }
@@ -118,7 +137,7 @@ impl Islands {
         }
         let mut out = [[0.0_f32; 3]; MAX_PARTS];
         for (out, part) in out.iter_mut().zip(&self.parts) {
-            let sum = sums.get(part.island).copied().unwrap_or_default();
+            let sum = sums.get(part.island as usize).copied().unwrap_or_default();
             *out = sum.map(|s| s * part.per_mass);
         }
         out

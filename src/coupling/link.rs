@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 
-use super::contact::{ContactStep, STUCK};
-use super::{CoupleStep, Coupling, SOFT};
+use super::contact::STUCK;
+use super::predict::Prediction;
+use super::{Coupling, SOFT};
 use crate::math::select;
 use crate::rigid::Rigid;
 use crate::vector::sym_mul;
@@ -96,7 +97,8 @@ impl Link {
 
     /// Writes it into a slot, decided.
     #[inline(never)]
-    pub(super) fn decide(&self, step: &CoupleStep<'_>, rigids: &[Rigid]) -> Coupling {
+    pub(super) fn decide(&self, prediction: &Prediction<'_>) -> Coupling {
+        let (step, rigids) = (prediction.step, prediction.rigids);
         let rigid_of = |node: u32| {
             let found = (1_u16..).zip(rigids).find(|(_, r)| r.first == node);
             found.map_or(SOFT, |(at, _)| at)
@@ -112,11 +114,11 @@ impl Link {
         if anchored {
             slot.rigid[1] = SOFT;
         }
-        let pair = ContactStep::new(&slot, Vec3::ZERO, step, rigids);
+        let mass = prediction.mass(&slot, Vec3::ZERO);
         let h = step.dt;
         let hard = self.stiffness == f32::INFINITY;
         let per_mass = 1.0 / step.mass_unit;
-        let spring = select(hard, STUCK * pair.mass, h * h * self.stiffness * per_mass);
+        let spring = select(hard, STUCK * mass, h * h * self.stiffness * per_mass);
         let damper = h * self.damping * per_mass;
         let good = (spring >= 0.0) & (damper >= 0.0);
         let b = select(good, spring + damper, 0.0);
@@ -127,7 +129,8 @@ impl Link {
         slot.push = ((drift - pull) * (1.0 / step.velocity_unit)).to_array();
         slot.stiffness = spring * step.mass_unit / h / h;
         slot.gap = apart.length_squared();
-        slot.speed = pair.now.to_array();
+        let now = Vec3::from_array(slot.relative(step.v)) - self.velocity;
+        slot.speed = now.to_array();
         slot
     }
 }

@@ -3,6 +3,7 @@
 use super::contact::{self, keep_finite};
 use super::hook::{Counts, FreeStep};
 use super::islands::{IslandTranslations, Islands};
+use super::predict::Prediction;
 use super::{Couple, CoupleStep, Coupling, Link, add_diagonal, apply};
 use crate::detect::{self, Aabb, Slots};
 use crate::element::Sym3;
@@ -145,6 +146,32 @@ impl<'a> Couplings<'a> {
     }
 }
 
+/// Decides what was found, and what was not. Returns how many act. (A function by itself: who counts what a search costs
+/// sees by it where that ends.)
+#[inline(never)]
+fn decide_all(
+    contacts: &mut [Coupling],
+    prediction: &mut Prediction<'_>,
+    islands: &mut Islands,
+) -> u32 {
+    for slot in contacts.iter_mut() {
+        contact::weigh(slot, prediction);
+    }
+    for _ in 0..contact::SWEEPS {
+        for slot in contacts.iter_mut() {
+            contact::relax(slot, prediction);
+        }
+    }
+    let mut count = 0;
+    for slot in contacts {
+        let active = contact::decide(slot, prediction);
+        keep_finite(slot);
+        islands.join(slot, active);
+        count += u32::from(active);
+    }
+    count
+}
+
 impl Couple for Couplings<'_> {
     const SOME: bool = true;
 
@@ -170,32 +197,24 @@ impl Couple for Couplings<'_> {
     }
 
     #[inline(never)]
-    fn decide(&mut self, step: &CoupleStep<'_>) {
+    fn decide(&mut self, step: &CoupleStep<'_>, kept: &mut [[f32; 3]]) {
         let soft = self.soft(step.masses.len());
         let (links, contacts) = self
             .slots
             .split_at_mut_checked(self.links.len())
             .unwrap_or_default();
         self.islands = Islands::new(self.pieces, self.rigids.len(), soft);
+        let mut prediction = Prediction::new(step, self.rigids, kept);
         for (slot, link) in links.iter_mut().zip(self.links) {
-            *slot = link.decide(step, self.rigids);
+            *slot = link.decide(&prediction);
             keep_finite(slot);
-            self.islands.join(slot);
+            self.islands.join(slot, true);
         }
         let mut found = Slots::new(contacts);
         detect::find(self.pieces, self.boxes, self.rigids, step, &mut found);
-        self.counts = Counts {
-            active: 0,
-            dropped: found.dropped(),
-        };
-        for slot in contacts {
-            let active = contact::decide(slot, step, self.rigids);
-            keep_finite(slot);
-            self.counts.active += u32::from(active);
-            if active {
-                self.islands.join(slot);
-            }
-        }
+        let dropped = found.dropped();
+        let active = decide_all(contacts, &mut prediction, &mut self.islands);
+        self.counts = Counts { active, dropped };
         self.islands.weigh(step.masses, step.filter);
     }
 

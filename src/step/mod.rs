@@ -158,8 +158,15 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         let touched = contact.masses.len();
         let untouched = work.p.get_mut(touched..).unwrap_or_default();
         untouched.fill([0.0; 3]);
+        let operator = Operator {
+            rest: *rest,
+            rotated: &*work.rotated,
+            inertia: &*work.inertia,
+            stiffness,
+        };
+        operator.apply::<R>(state.v, work.q);
     }
-    couplings.decide(&CoupleStep {
+    let couple = CoupleStep {
         scene,
         masses: rest.masses,
         x: state.x,
@@ -172,7 +179,8 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         blocks: work.blocks,
         filter: work.filter,
         targets: work.v,
-    });
+    };
+    couplings.decide(&couple, work.q);
     couplings.add_to(work.blocks, work.r);
     couplings.project(work.r);
     // From here on in units of the velocity unit, also the gaps that wait in p.

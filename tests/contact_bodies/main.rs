@@ -8,6 +8,7 @@ mod edges;
 mod free;
 mod limits;
 mod oracle;
+mod pull;
 mod rest;
 mod rigid;
 mod search;
