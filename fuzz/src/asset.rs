@@ -10,7 +10,7 @@ use femto::step::step;
 use femto::{Budget, Collider, Scene, Start};
 
 use super::bytes::Bytes;
-use super::step::check_state;
+use super::state::check_state;
 
 /// A cube of six tetrahedra with every kind of factor, and without one.
 const GOOD: [&[u8]; 5] = [

@@ -2,7 +2,13 @@
 
 pub mod asset;
 mod bytes;
+pub mod coupled;
 mod inputs;
 pub mod mesh;
+pub mod parts;
 pub mod polar;
+mod scene;
+mod settings;
+mod state;
 pub mod step;
+mod world;

@@ -1,20 +1,19 @@
 //! A few steps of a small body in any state, scene and settings.
 
 use femto::element::{Dense, Factored, Layout};
-use femto::glam::Vec3;
 use femto::lane::Lanes;
 use femto::owned::{OwnedRest, OwnedState, OwnedWorkspace};
 use femto::rest::Rest;
 use femto::state::{State, StateError, StateRef};
 use femto::step::step;
-use femto::{
-    Body, Budget, Collider, Material, Mesh, Pin, Preconditioner, Refusal, Scene, Settings, Start,
-    StepReport, blocks,
-};
+use femto::{Body, Material, Mesh, Refusal, Settings, StepReport, blocks};
 use wide::{f32x4, f32x8};
 
 use super::bytes::Bytes;
-use super::{inputs, polar};
+use super::inputs;
+use super::scene::SceneData;
+use super::settings::{settings, start};
+use super::state::{bits, check_state, check_step, report_bits};
 
 const BLOCKS: usize = blocks(inputs::TETS);
 /// What `Start::Rigid(4)` needs.
@@ -91,7 +90,9 @@ fn step_owned<L: Layout>(
 ) -> StepReport {
     let before = state.clone();
     let report = advance::<f32, L>(rest, state, new, scene, settings);
-    check(&before.view(), &state.view(), &report, settings, scene);
+    check_step(&before.view(), &state.view(), &report, settings);
+    let most = state.view().x.len() * scene.colliders.len();
+    assert!(report.contacts as usize <= most, "{report:?}");
     for again in [advance::<f32x4, L>, advance::<f32x8, L>, advance::<f32, L>] {
         let mut other = before.clone();
         let other_report = again(rest, &mut other, used, scene, settings);
@@ -143,44 +144,6 @@ fn advance<R: Lanes, L: Layout>(
     )
 }
 
-/// Accepted and finite, or refused and untouched.
-fn check(
-    before: &StateRef<'_>,
-    after: &StateRef<'_>,
-    report: &StepReport,
-    settings: &Settings,
-    scene: &SceneData,
-) {
-    if let Some(refusal) = report.refusal {
-        assert!(!refusal.to_string().is_empty());
-        assert_eq!(
-            bits(before),
-            bits(after),
-            "a refused step must leave the state as it was"
-        );
-        return;
-    }
-    check_state(after);
-    let numbers = [report.rhs, report.residual_before, report.residual_after];
-    let finite = numbers.iter().all(|x| x.is_finite());
-    assert!(finite && !report.relative_residual().is_nan(), "{report:?}");
-    assert!(report.updates <= settings.budget.iterations, "{report:?}");
-    assert!(
-        report.contacts as usize <= after.x.len() * scene.colliders.len(),
-        "{report:?}"
-    );
-}
-
-pub fn check_state(state: &StateRef<'_>) {
-    let vectors = state.x.iter().chain(state.v).chain(state.history);
-    assert!(vectors.flatten().all(|x| x.is_finite()), "{state:?}");
-    for block in state.rotations {
-        for lane in 0..block.0[0].len() {
-            polar::check_unit(block.0.map(|x| x[lane]));
-        }
-    }
-}
-
 /// An affine image of the rest shape with affine velocities, and a few nodes elsewhere.
 fn place<L: Layout>(
     rest: &Rest<'_, L>,
@@ -222,119 +185,4 @@ fn affine(nodes: &[[f32; 3]], scale: [f32; 3], offset: [f32; 3]) -> Vec<[f32; 3]
         .iter()
         .map(|x| [0, 1, 2].map(|axis| scale[axis] * x[axis] + offset[axis]))
         .collect()
-}
-
-fn settings(bytes: &mut Bytes<'_>) -> Option<Settings<'static>> {
-    let dt = bytes.usual(&[0.01, 1e-6, 1.0]);
-    let theta = bytes.usual(&[1.0, 0.5, 0.75]);
-    let budget = Budget {
-        iterations: bytes.below(21) as u32,
-        polar_sweeps: bytes.below(5) as u32,
-    };
-    let preconditioners = [
-        Preconditioner::Jacobi,
-        Preconditioner::BlockJacobi,
-        Preconditioner::Mass,
-        Preconditioner::Identity,
-    ];
-    let settings = Settings::new(dt)
-        .ok()?
-        .with_theta(theta)
-        .ok()?
-        .with_budget(budget);
-    let settings = settings.with_start(start(bytes));
-    Some(settings.with_preconditioner(preconditioners[bytes.below(preconditioners.len())]))
-}
-
-fn start(bytes: &mut Bytes<'_>) -> Start {
-    let vectors = bytes.below(5) as u8;
-    match bytes.below(5) {
-        0 => Start::Galerkin(vectors),
-        1 => Start::Rigid(vectors),
-        2 => Start::Velocity,
-        3 => Start::VelocityForce,
-        _ => Start::Zero,
-    }
-}
-
-struct SceneData {
-    gravity: Vec3,
-    forces: Vec<[f32; 3]>,
-    pins: Vec<Pin>,
-    colliders: Vec<Collider<'static>>,
-}
-
-impl SceneData {
-    fn new(bytes: &mut Bytes<'_>, nodes: usize) -> Self {
-        let gravity = bytes.usual_vector(&[0.0, -9.81]).into();
-        let forces = [0, nodes, 0, nodes + 1][bytes.below(4)];
-        Self {
-            gravity,
-            forces: (0..forces).map(|_| bytes.usual_vector(&[0.0])).collect(),
-            pins: (0..bytes.below(4)).map(|_| pin(bytes, nodes)).collect(),
-            colliders: (0..bytes.below(4))
-                .filter_map(|_| collider(bytes))
-                .collect(),
-        }
-    }
-
-    fn view(&self) -> Scene<'_> {
-        Scene {
-            gravity: self.gravity,
-            forces: &self.forces,
-            pins: &self.pins,
-            colliders: &self.colliders,
-        }
-    }
-}
-
-fn pin(bytes: &mut Bytes<'_>, nodes: usize) -> Pin {
-    let node = match bytes.byte() {
-        255 => bytes.word(),
-        near => u32::from(near) % nodes as u32,
-    };
-    Pin {
-        node,
-        velocity: bytes.usual_vector(&[0.0]).into(),
-    }
-}
-
-fn collider(bytes: &mut Bytes<'_>) -> Option<Collider<'static>> {
-    let make = if bytes.flag() {
-        Collider::sphere
-    } else {
-        Collider::half_space
-    };
-    let collider = make(bytes.usual_vector(&[0.0, 1.0]).into(), bytes.number()).ok()?;
-    let (friction, velocity) = (bytes.usual(&[0.0, 0.5]), bytes.usual_vector(&[0.0]).into());
-    let collider = collider
-        .with_friction(friction)
-        .ok()?
-        .with_velocity(velocity)
-        .ok()?;
-    let (distance, normal) = collider.distance(bytes.vector().into());
-    let square = normal.dot(normal);
-    let unit = (square - 1.0).abs() <= 8.0 * f32::EPSILON;
-    assert!(
-        unit || !distance.is_finite(),
-        "{collider:?}: a normal of length² {square:e}"
-    );
-    Some(collider)
-}
-
-/// Every bit of a state.
-fn bits(state: &StateRef<'_>) -> Vec<u32> {
-    let vectors = state.x.iter().chain(state.v).chain(state.history).flatten();
-    let rotations = state
-        .rotations
-        .iter()
-        .flat_map(|block| block.0.as_flattened());
-    vectors.chain(rotations).map(|x| x.to_bits()).collect()
-}
-
-/// A report that equals itself; the payload of a NaN is the machine's.
-fn report_bits(report: &StepReport) -> impl PartialEq + std::fmt::Debug + use<> {
-    let bits = |x: f32| if x.is_nan() { u32::MAX } else { x.to_bits() };
-    let numbers = [report.rhs, report.residual_before, report.residual_after].map(bits);
-    (report.refusal, numbers, report.updates, report.contacts)
 }

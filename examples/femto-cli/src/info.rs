@@ -7,7 +7,8 @@ use femto::surface::boundary_triangles;
 use glam::DVec3;
 
 use crate::error::Error;
-use crate::mesh::{self, Mesh, check, shape};
+use crate::mesh::check::{self, Problem};
+use crate::mesh::{self, Mesh, shape};
 use crate::{asset_info, sim};
 
 /// How many problems are listed one by one.
@@ -33,12 +34,17 @@ pub fn command(path: &Path) -> Result<u8, Error> {
     }
     let mesh = mesh::load(path).map_err(wrong)?;
     let problems = check::problems(&mesh);
-    let mut text = format!("{}: {}\n", path.display(), mesh.format);
-    describe(&mut text, &mesh);
+    crate::print(&look_over(&path.display().to_string(), &mesh, &problems));
+    check::first_of(&problems).map_or(Ok(0), |first| Err(wrong(first)))
+}
+
+/// A mesh at a glance, and what is wrong with it.
+pub fn look_over(name: &str, mesh: &Mesh, problems: &[Problem]) -> String {
+    let mut text = format!("{name}: {}\n", mesh.format);
+    describe(&mut text, mesh);
     if problems.is_empty() {
         text += "nothing wrong\n";
-        crate::print(&text);
-        return Ok(0);
+        return text;
     }
     let _ = writeln!(text, "{} wrong:", things(problems.len()));
     for problem in problems.iter().take(LISTED) {
@@ -47,9 +53,7 @@ pub fn command(path: &Path) -> Result<u8, Error> {
     if problems.len() > LISTED {
         let _ = writeln!(text, "  and {} more", problems.len() - LISTED);
     }
-    crate::print(&text);
-    let first = check::first_of(&problems).unwrap_or_default();
-    Err(wrong(first))
+    text
 }
 
 fn things(count: usize) -> String {

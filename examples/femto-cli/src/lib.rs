@@ -18,6 +18,7 @@ pub mod mesh;
 mod place;
 mod prepare;
 mod preview;
+pub mod rehearsal;
 mod report;
 mod run;
 mod scene;

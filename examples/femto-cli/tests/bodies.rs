@@ -235,3 +235,20 @@ fn friction_needs_contact() {
         run.err
     );
 }
+
+/// A body with fibres has the dense layout, whatever the file says of it, also where bodies touch.
+#[test]
+fn fibres_count_in_one_system_too() {
+    let second = "density = 500.0\n";
+    let fibres = "density = 500.0\nfibre = { direction = [1, 0, 0], young = 1e7 }\n";
+    let with_fibres = CROWD.replacen(second, fibres, 1);
+    let dense = format!("{with_fibres}\n[solver]\nlayout = \"dense\"\n");
+    let hash = |scene: &str| {
+        let folder = Folder::new();
+        folder.run(scene, &[]).succeeds();
+        let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+        report["state_hash"].as_str().expect("a hash").to_owned()
+    };
+    assert_ne!(hash(&with_fibres), hash(CROWD));
+    assert_eq!(hash(&with_fibres), hash(&dense));
+}

@@ -45,9 +45,11 @@ pub(super) fn joined<'a>(
             (joint, $kind(Box::new(OwnedBody::from_rest(rest, needs))))
         }};
     }
-    let (joint, mut kind) = match scene.layout {
-        scene::Layout::Factored => make!(Factored, Kind::Factored),
-        scene::Layout::Dense => make!(Dense, Kind::Dense),
+    // Fibres anywhere take the dense layout.
+    let dense = scene.layout == scene::Layout::Dense || scene.has_fibres();
+    let (joint, mut kind) = match dense {
+        false => make!(Factored, Kind::Factored),
+        true => make!(Dense, Kind::Dense),
     };
     let all = |of: fn(&scene::Body) -> &Vec<[f32; 3]>| {
         scene
