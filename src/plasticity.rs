@@ -29,7 +29,7 @@
 //! (3) sums to zero over the corners: linear momentum stays exact. Angular momentum of a free body is
 //! changed where ε_p and ε have other axes, by V·2μ (ε_p ε − ε ε_p) a tetrahedron and second: as with every
 //! anisotropic stress, σ and S do not commute. (A bar that was stretched by a tenth and thrown, spinning, has lost
-//! 3.5 % of it after 200 steps with `rigid-2` and 20 iterations, and 2.2 % without flow: `tests/plasticity`.)
+//! 3.5 % of it after 200 steps with `rigid-2` and 20 iterations, and 2.2 % without flow: `tests/physics/plasticity`.)
 
 use core::fmt;
 

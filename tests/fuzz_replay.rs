@@ -43,3 +43,13 @@ fn polar() {
 fn step() {
     replay("step", fuzz::step::run);
 }
+
+#[test]
+fn parts() {
+    replay("parts", fuzz::parts::run);
+}
+
+#[test]
+fn coupled() {
+    replay("coupled", fuzz::coupled::run);
+}

@@ -3,12 +3,13 @@
 use femto::constraint::Pin;
 use femto::element::{Factored, Layout};
 use femto::glam::Vec3;
+use femto::lane::Lanes;
 use femto::material::Material;
 use femto::mesh::Mesh;
-use femto::owned::{OwnedBody, OwnedRest};
+use femto::owned::{OwnedBody, OwnedRest, OwnedState, OwnedWorkspace};
 use femto::preconditioner::Aggregates;
 use femto::settings::{Budget, Needs, Preconditioner, Settings, Start};
-use femto::step::Scene;
+use femto::step::{Scene, StepReport, step};
 
 use super::meshes::{TetMesh, box_mesh, jitter, two_pieces};
 use super::reference::{Reference, node, stack};
@@ -96,6 +97,28 @@ impl Setup {
     pub fn rest<L: Layout>(&self) -> OwnedRest<L> {
         let mesh = Mesh::new(&self.mesh.nodes, &self.mesh.tets).unwrap();
         OwnedRest::new(&mesh, &self.material()).unwrap()
+    }
+
+    /// So many steps with these lanes, none refused: the last state, and what each step said.
+    pub fn run<R: Lanes>(
+        &self,
+        settings: &Settings<'_>,
+        steps: usize,
+    ) -> (OwnedState, Vec<StepReport>) {
+        let rest: OwnedRest = self.rest();
+        let view = rest.view();
+        let mut state = OwnedState::new(&view, settings);
+        let mut work = OwnedWorkspace::new(&view, settings);
+        state.view_mut().place(&view, &self.x, &self.v).unwrap();
+        let advance = |_| {
+            let (mut state, mut work) = (state.view_mut(), work.view_mut(&view));
+            let pins = self.pin_list();
+            let report = step::<R, _>(&view, &mut state, &mut work, &self.scene(&pins), settings);
+            assert!(report.advanced(), "{report:?}");
+            report
+        };
+        let reports = (0..steps).map(advance).collect();
+        (state, reports)
     }
 
     /// With so many aggregates, as the crate divides the mesh; they stay for the rest of the test.

@@ -1,10 +1,12 @@
 //! Every preconditioner and every kind of start. What the checks run, the cost table has, and the programs print.
 
-use femto::preconditioner::aggregate::{DEFAULT_AGGREGATES, MAX_AGGREGATES};
+use femto::element::Layout;
+use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES, MAX_AGGREGATES};
 use femto::preconditioner::coarse::coarse_length;
-use femto::{Preconditioner, Start};
+use femto::rest::Rest;
+use femto::{Factor, Preconditioner, Start};
 
-use crate::factor::Kind;
+use crate::factor::{FactorRoom, Kind};
 
 /// A preconditioner by what it needs.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +17,61 @@ pub enum Choice {
     Factored(Kind),
     /// Two-level, with so many aggregates, which the program holds.
     TwoLevel(usize),
+}
+
+/// Why a step or a scene was not run: its own numbers are refused. A defect of this program.
+#[derive(Clone, Copy, Debug)]
+pub struct BadCase;
+
+/// What a preconditioner refers to, for a body of up to `NODES` nodes.
+#[derive(Debug)]
+pub struct Held<'a, const NODES: usize> {
+    factor: Option<Factor<'a>>,
+    of: [u8; NODES],
+}
+
+impl<const NODES: usize> Held<'_, NODES> {
+    /// Nothing yet.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            factor: None,
+            of: [0; NODES],
+        }
+    }
+}
+
+impl<const NODES: usize> Default for Held<'_, NODES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Choice {
+    /// The preconditioner for a body; what it refers to is put in `held`.
+    ///
+    /// # Errors
+    /// [`BadCase`].
+    pub fn prepare<'a, L: Layout, const NODES: usize, const FILL: usize>(
+        self,
+        rest: &Rest<'_, L>,
+        factors: &'a FactorRoom<NODES, FILL>,
+        held: &'a mut Held<'a, NODES>,
+    ) -> Result<Preconditioner<'a>, BadCase> {
+        match self {
+            Self::Local(preconditioner) => Ok(preconditioner),
+            Self::Factored(kind) => {
+                let made = factors.factor(kind, rest.header.fingerprint);
+                let factor = held.factor.insert(made.map_err(|_| BadCase)?);
+                Ok(Preconditioner::Factored(factor))
+            }
+            Self::TwoLevel(count) => {
+                let of = held.of.get_mut(..rest.nodes.len()).ok_or(BadCase)?;
+                let made = Aggregates::divide(rest, count, of).map_err(|_| BadCase)?;
+                Ok(Preconditioner::TwoLevel(made))
+            }
+        }
+    }
 }
 
 /// All of them, by name.

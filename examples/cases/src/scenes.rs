@@ -8,10 +8,10 @@ use femto::body::State;
 use femto::element::{Dense, Layout};
 use femto::energy::StateHash;
 use femto::glam::Vec3;
-use femto::preconditioner::Aggregates;
-use femto::{Body, Collider, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start, blocks};
+use femto::{Body, Collider, Material, Mesh, Pin, Scene, Settings, Start, blocks};
 
-use crate::choices::{COARSE, Choice, HISTORY, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
+pub use crate::choices::BadCase;
+use crate::choices::{COARSE, Choice, HISTORY, Held, JACOBI, PRECONDITIONERS, STARTS, VECTORS};
 use crate::factor::FactorRoom;
 use crate::fans;
 use crate::mesh::Grid;
@@ -137,10 +137,6 @@ pub fn cases() -> impl Iterator<Item = Case> {
     KINDS.into_iter().chain(preconditioners).chain(starts)
 }
 
-/// Why a scene did not run: its own numbers are refused. A defect of this program.
-#[derive(Clone, Copy, Debug)]
-pub struct BadCase;
-
 /// Runs a scene for `steps` steps and hands every checkpoint's hash over.
 ///
 /// # Errors
@@ -198,21 +194,9 @@ fn run_body<L: Layout>(
     }
     body.place(nodes, v).map_err(|_| BadCase)?;
 
-    let (factor, mut of);
-    let preconditioner = match case.preconditioner {
-        Choice::Local(preconditioner) => preconditioner,
-        Choice::Factored(kind) => {
-            let made = factors.factor(kind, body.rest().header.fingerprint);
-            factor = made.map_err(|_| BadCase)?;
-            Preconditioner::Factored(&factor)
-        }
-        Choice::TwoLevel(count) => {
-            of = [0; NODES];
-            let of = &mut of[..nodes.len()];
-            let made = Aggregates::divide(&body.rest(), count, of);
-            Preconditioner::TwoLevel(made.map_err(|_| BadCase)?)
-        }
-    };
+    let mut held = Held::<NODES>::new();
+    let choice = case.preconditioner;
+    let preconditioner = choice.prepare(&body.rest(), factors, &mut held)?;
     let settings = Settings::new(1.0 / 150.0)
         .and_then(|s| s.with_theta(case.theta))
         .map_err(|_| BadCase)?

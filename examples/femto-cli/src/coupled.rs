@@ -399,6 +399,8 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
             }
             Some(rigid) => {
                 let one = &coupled.rigid[rigid];
+                let value = format!("{:?} of {:?} kg", one.shape, one.mass);
+                let bad = |why: String| wrong(i, value.clone(), why);
                 let like = femto::Material::new(1.0, 0.0, 1.0)
                     .and_then(|m| m.with_damping(body.alpha, body.beta))
                     .map_err(|e| bad(e.to_string()))?;

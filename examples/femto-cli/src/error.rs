@@ -2,6 +2,9 @@
 
 use std::path::PathBuf;
 
+/// Of a process that ends with an error: 3 is a refused step, which is none.
+pub const EXIT_STATUS: u8 = 2;
+
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The scene file is not TOML, or not a scene.
@@ -48,16 +51,6 @@ pub enum Error {
         path: PathBuf,
         source: std::io::Error,
     },
-}
-
-impl Error {
-    /// 2 for a bad command line or scene; 1 where the machine failed, not the user.
-    pub fn exit_status(&self) -> u8 {
-        match self {
-            Error::Write { .. } => 1,
-            _ => 2,
-        }
-    }
 }
 
 /// Folds a text to one line without control characters, so that a strange file cannot

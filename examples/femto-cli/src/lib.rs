@@ -41,7 +41,7 @@ use clap::{Parser, Subcommand};
 #[derive(Parser)]
 #[command(
     version,
-    after_help = "Exit status: 0 done, 2 bad command line, scene or mesh, 3 a step was refused."
+    after_help = "Exit status: 0 done, 2 bad command line, scene, mesh or folder, 3 a step was refused."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -77,7 +77,7 @@ pub fn main() -> ExitCode {
         Ok(status) => ExitCode::from(status),
         Err(error) => {
             eprintln!("error: {}", error::one_line(&error.to_string()));
-            ExitCode::from(error.exit_status())
+            ExitCode::from(error::EXIT_STATUS)
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::error::{Error, one_line};
+use crate::error::{EXIT_STATUS, Error, one_line};
 use crate::info;
 use crate::mesh::{Mesh, check};
 use crate::prepare::Factors;
@@ -27,14 +27,20 @@ pub fn rehearse(text: &str, out: Option<&Path>) -> (u8, String) {
     match simulate(text, out) {
         Ok(None) => (0, String::new()),
         Ok(Some(refused)) => (3, refused),
-        Err(error) => (error.exit_status(), one_line(&error.to_string())),
+        Err(error) => (EXIT_STATUS, one_line(&error.to_string())),
     }
 }
 
-/// What `femto info` prints of a mesh.
+/// What `femto info` says of a mesh that was read, or of why it was not: its exit status, and its text.
 #[must_use]
-pub fn look_over(mesh: &Mesh) -> String {
-    info::look_over("mesh", mesh, &check::problems(mesh))
+pub fn look_over(read: Result<Mesh, String>) -> (u8, String) {
+    let mesh = match read {
+        Ok(mesh) => mesh,
+        Err(why) => return (EXIT_STATUS, one_line(&why)),
+    };
+    let problems = check::problems(&mesh);
+    let status = if problems.is_empty() { 0 } else { EXIT_STATUS };
+    (status, info::look_over("mesh", &mesh, &problems))
 }
 
 fn simulate(text: &str, out: Option<&Path>) -> Result<Option<String>, Error> {

@@ -272,7 +272,13 @@ impl Checker<'_> {
             return Err(self.wrong("budget.substeps", &0, "must be at least 1"));
         }
         let substep = raw.time.dt / f64::from(raw.budget.substeps);
-        self.positive("time.dt / budget.substeps", substep)?;
+        let normal = |h: f64| h >= f64::from(f32::MIN_POSITIVE);
+        self.number(
+            "time.dt / budget.substeps",
+            substep,
+            "must be at least 1.2e-38",
+            normal,
+        )?;
         let gravity = self.vector("gravity", raw.gravity)?;
         let preconditioner = self.preconditioner(&raw.solver.preconditioner)?;
         let start = self.start(&raw.solver.start)?;
