@@ -67,6 +67,10 @@ impl<R: Real> Real for Pair<R> {
         Pair(self.0.below(bound.0), self.1.below(bound.1))
     }
     #[inline(always)]
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        Pair(R::both(a.0, b.0), R::both(a.1, b.1))
+    }
+    #[inline(always)]
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Self(R::pick(mask.0, yes.0, no.0), R::pick(mask.1, yes.1, no.1))
     }

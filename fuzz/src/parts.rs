@@ -54,7 +54,7 @@ pub fn run(data: &[u8]) {
             let (Some(first), Some(last)) = (laws.first(), laws.last()) else {
                 return;
             };
-            let law = |tet: usize| if tet % 2 == 0 { *first } else { *last };
+            let law = |tet: usize| if tet.is_multiple_of(2) { *first } else { *last };
             if let Ok(rest) = OwnedRest::anisotropic(&mesh, &regions, law) {
                 simulate(&rest, &tets, &mut bytes);
             }

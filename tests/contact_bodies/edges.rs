@@ -182,7 +182,7 @@ fn sharp_edges_are_those_of_a_box() {
     let edges = sharp_edges(&mesh.nodes, &boundary_triangles(&mesh.tets));
     assert_eq!(edges.len(), 12 * 3);
     for [i, j, ..] in edges {
-        let on = |n: u32| mesh.nodes[n as usize].map(|x| x < 1e-6 || x > 0.4 - 1e-6);
+        let on = |n: u32| mesh.nodes[n as usize].map(|x| !(1e-6..=0.4 - 1e-6).contains(&x));
         let both = (0..3).filter(|&k| on(i)[k] && on(j)[k]).count();
         assert!(both >= 2);
     }
