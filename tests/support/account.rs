@@ -12,7 +12,7 @@ use super::scenes::Setup;
 const EPS: f64 = f32::EPSILON as f64;
 
 /// The rotations that a state holds, as matrices in f64, tetrahedron by tetrahedron.
-fn frozen_rotations(state: &StateRef<'_>, tets: usize) -> Vec<Matrix3<f64>> {
+pub fn frozen_rotations(state: &StateRef<'_>, tets: usize) -> Vec<Matrix3<f64>> {
     let lanes = state
         .rotations
         .iter()
