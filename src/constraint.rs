@@ -36,7 +36,8 @@
 //! Nodes that the solve moves into a surface nevertheless are put back on it after it, and so are nodes
 //! that start a step inside. So no node ends a step inside: to rounding of its coordinates for one
 //! collider; for several, to what correcting one after the other leaves where they meet at an acute
-//! angle.
+//! angle. Putting back strains: in bodies of h²E/(ρ·dx²) above 10 it may add energy, unless the feature
+//! `energy-guard` is there and [`Settings`](crate::Settings) ask for it.
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
