@@ -35,9 +35,8 @@
 //! | piece and box | n + 50 t | n + 8 |
 //! | box and box; box and collider; ball and any | 32; 8; 1 | 16; 8; 1 |
 //!
-//! In `cars`, two bodies of 4,739 nodes that collide, with all that follows from it a step takes a third more
-//! instructions than without contact where it was twelve times as many when each node looked at all triangles;
-//! `cargo run --release -p femto-bench --bin contact` prints the times.
+//! In the scene `cars`, two bodies of 4,739 nodes that collide, the median step takes 1.3 times as long as without contact,
+//! the slowest 2.2 times (`cargo run --release -p femto-bench --bin contact`).
 //!
 //! Why a tree and not a grid: its topology is that of the surface, which never changes, so it has no capacity
 //! to overflow, needs no cell size, cannot degrade by more than the bound above when bodies are stretched or
