@@ -13,7 +13,7 @@ use crate::problem::{Problem, cantilever, free_bar};
 const ALLOWED: f64 = 0.01;
 /// Of each side so many that reach it are timed in turns.
 const CANDIDATES: usize = 3;
-const ROUNDS: usize = 9;
+const ROUNDS: usize = 25;
 
 /// Iterations that rapier may take.
 const CAPS: [u32; 13] = [3, 5, 10, 15, 20, 25, 30, 40, 50, 70, 100, 150, 200];
