@@ -24,10 +24,14 @@ const ROOM: usize = 1024;
 
 pub fn run(data: &[u8]) {
     let mut bytes = Bytes::new(data);
-    let dense = bytes.flag();
-    let Some(assembly) = assemble(&mut bytes) else {
+    let choice = bytes.byte();
+    let (dense, edges) = (choice & 1 == 1, choice & 2 == 2);
+    let Some(mut assembly) = assemble(&mut bytes) else {
         return;
     };
+    if edges {
+        assembly.touch_by_edges();
+    }
     let Ok(mesh) = Mesh::new(&assembly.nodes, &assembly.tets) else {
         return;
     };
