@@ -174,7 +174,7 @@ const ROWS: &[(&str, &str, &str)] = &[
     ("capacity = 200", "room = 3", "line 9, column 1: `room = 3`: contact.room: unknown field `room`"),
     ("capacity = 200", "edges = 1", "line 9, column 9: `edges = 1`: contact.edges: invalid type"),
     ("dt = 0.005", "dt = 0.005\ntheta = 0.5", "time.theta = 0.5: must be 1 where bodies touch or are joined"),
-    ("dt = 0.005", "dt = 0.005\n[solver]\nenergy_guard = true", "solver.energy_guard = true: not where bodies touch or are joined"),
+    ("steps = 60", "steps = 60\n[solver]\nenergy_guard = true", "solver.energy_guard = true: not where bodies touch or are joined"),
     ("density = 500.0", "density = 500.0\nbeta = 0.01", "body[1].beta = 0.01: must be body[0]'s 0.0"),
     ("friction = 0.6", "friction = nan", "body[1].friction = NaN: must be finite"),
     ("ball = { radius = 0.05 }", "ball = { radius = 0.0 }", "rigid[0].ball.radius = 0.0: must be above 0"),
