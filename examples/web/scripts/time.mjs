@@ -1,12 +1,15 @@
 // Time per step of the snowman in WASM as a multiple of native SSE2: `node scripts/time.mjs`. One run on one machine; the
 // programs take turns, and the least time of each counts. The last column compares with native code of as many lanes, and
-// so leaves what the engine costs; native one-lane code against SSE2 is what the lack of lanes costs.
+// so leaves what the engine costs; native one-lane code against SSE2 is what the lack of lanes costs. Last, what one lane
+// could reach at best: the operations that the tetrahedra of a step take, at the rate that this engine has in a loop of
+// nothing but multiplications and additions (rate.mjs).
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { load } from '../package/index.js';
 import { BUILDS } from './module.mjs';
+import { rate } from './rate.mjs';
 import { here, run, targetOf } from './run.mjs';
 
 /** Steps of a run, short enough to be left alone on a busy machine; runs of a turn; how often the programs take turns. */
@@ -35,14 +38,18 @@ for (const { file } of BUILDS) {
 }
 
 const least = {};
+let operations = 0;
+let fastest = 0;
 const hashes = new Set();
 const take = (name, milliseconds) => (least[name] = Math.min(least[name] ?? Infinity, milliseconds));
 for (let turn = 0; turn < TURNS; turn++) {
   for (const [name, program] of Object.entries(NATIVE)) {
-    const [milliseconds, hash] = run(program, [asset, String(STEPS), String(RUNS)]).split(/\s/);
+    const [milliseconds, hash, count, counted] = run(program, [asset, String(STEPS), String(RUNS)]).split(/\s/);
     take(name, Number(milliseconds));
-    hashes.add(hash);
+    hashes.add(hash).add(counted);
+    operations = Number(count);
   }
+  fastest = Math.max(fastest, await rate());
   for (const [file, body] of Object.entries(bodies)) {
     const start = body.save();
     for (let run = 0; run < RUNS; run++) {
@@ -70,4 +77,8 @@ for (const [name, milliseconds] of Object.entries(least)) {
     failed = true;
   }
 }
+const floor = (1e3 * operations) / fastest;
+console.log(`\n${operations} operations a step in its tetrahedra, at most ${fastest.toExponential(2)} a second in one lane:`);
+console.log(`${floor.toFixed(3)} ms without a load, a store or a choice, ${(floor / least['native, SSE2']).toFixed(2)} times SSE2`);
+console.log(`of that rate femto.wasm reaches ${((100 * floor) / least['femto.wasm']).toFixed(0)} %; twice SSE2 would be ${((50 * floor) / least['native, SSE2']).toFixed(0)} %`);
 process.exitCode = failed ? 1 : 0;
