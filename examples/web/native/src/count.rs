@@ -76,6 +76,9 @@ impl Real for Counted {
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self {
         Self(f32::pick(mask, yes.0, no.0))
     }
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask {
+        f32::both(a, b)
+    }
 }
 
 impl Lanes for Counted {
