@@ -40,6 +40,7 @@ use core::fmt;
 
 use glam::Vec3;
 
+use crate::cost::Shapes;
 use crate::math::{select, sqrt};
 pub use height_field::HeightField;
 pub use shapes::{Capsule, Cuboid, Placed};
@@ -91,6 +92,11 @@ pub trait SignedDistance: Sync {
     /// Whether its surface has a velocity anywhere.
     fn moves(&self) -> bool {
         false
+    }
+
+    /// Adds it to the shapes whose cost is known.
+    fn count(&self, shapes: &mut Shapes) {
+        shapes.others += 1;
     }
 }
 
@@ -295,6 +301,15 @@ impl<'a> Collider<'a> {
         match self.shape {
             Shape::Borrowed(shape) => shape.0.moves(),
             _ => self.velocity != Vec3::ZERO,
+        }
+    }
+
+    /// Adds its shape to those that a step's load has.
+    pub(crate) fn count(&self, shapes: &mut Shapes) {
+        match self.shape {
+            Shape::HalfSpace { .. } => {}
+            Shape::Sphere { .. } => shapes.spheres += 1,
+            Shape::Borrowed(shape) => shape.0.count(shapes),
         }
     }
 

@@ -16,6 +16,8 @@
 //! the first in the mesh): tension has time to go elsewhere. In all, at most [`Fracture::reserve`] do; the report
 //! says what is left, and how many tetrahedra were above the strength and stayed.
 //!
+//! The strength may differ by region ([`LawRegions`]); places and reserve are the body's.
+//!
 //! Switching off takes elastic energy away and adds none, so the bound on a step's energy stands. A factored
 //! preconditioner is made of the whole body: symmetric and positive definite all the same, it is only the factor
 //! of another matrix then, and gives the right answer in more iterations. A node whose tetrahedra have all
@@ -36,6 +38,7 @@ use crate::math::{Mask, select};
 use crate::operator::RotationBlock;
 use crate::polar::{self, direction, half_angle};
 use crate::rest::Rest;
+use crate::settings::LawRegions;
 
 /// The most that [`Fracture::per_step`] may be.
 pub const MOST_PER_STEP: u32 = 16;
@@ -108,6 +111,14 @@ impl Fracture {
     }
 }
 
+/// Whether a tetrahedron has failed.
+#[cfg(feature = "contact")]
+pub(crate) fn has_failed(broken: &[BrokenBlock], tet: usize) -> bool {
+    broken
+        .get(tet / BLOCK)
+        .is_some_and(|block| block.0[tet % BLOCK] > 0.5)
+}
+
 /// Which of eight tetrahedra have failed: 1, or 0 where whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(32))]
@@ -148,12 +159,14 @@ pub(crate) fn tear<R: Lanes, L: Layout, P: PlasticStrain>(
     x: &[[f32; 3]],
     rotations: &[RotationBlock],
     plastic: impl Iterator<Item = P>,
-    law: &Fracture,
+    (law, regions): (&Fracture, Option<&LawRegions<'_>>),
     broken: &mut [BrokenBlock],
 ) -> FractureReport {
     let unit = rest.header.length_unit;
     // 1/(strength V) in length units, but for g₁·(g₂ × g₃).
-    let per = R::splat(6.0 / law.strength / unit / unit / unit);
+    let per = |strength: f32| 6.0 / strength / unit / unit / unit;
+    let mut each = [per(law.strength); BLOCK];
+    let mut first = (0..).step_by(BLOCK);
     let unit = R::splat(unit);
     let places = law.per_step as usize;
     let mut ranking: Ranking = [(1.0, u32::MAX); MOST_PER_STEP as usize];
@@ -162,6 +175,10 @@ pub(crate) fn tear<R: Lanes, L: Layout, P: PlasticStrain>(
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, ((rotation, plastic), broken)) in fan.iter().zip(blocks.by_ref()) {
+            if let (Some(regions), Some(first)) = (regions, first.next()) {
+                each =
+                    core::array::from_fn(|lane| strength(regions, first + lane).map_or(0.0, per));
+            }
             let mut ratios = [0.0; BLOCK];
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
                 let Some(edges) = edges.advance(x, &tet.corners, at) else {
@@ -173,7 +190,7 @@ pub(crate) fn tear<R: Lanes, L: Layout, P: PlasticStrain>(
                 for axis in 0..3 {
                     h[axis][axis] = h[axis][axis] - R::splat(1.0);
                 }
-                let scale = per * volume_form(&g, unit);
+                let scale = R::load(&each, at) * volume_form(&g, unit);
                 let (lambda, mu) = (
                     scale * R::load(&tet.lambda_v, at),
                     scale * R::load(&tet.mu_v, at),
@@ -203,6 +220,12 @@ pub(crate) fn tear<R: Lanes, L: Layout, P: PlasticStrain>(
     report.spared -= report.broken;
     report.left -= report.broken;
     report
+}
+
+/// That of a tetrahedron, where it can fail.
+fn strength(regions: &LawRegions<'_>, tet: usize) -> Option<f32> {
+    let strength = *regions.strength.get(usize::from(*regions.of.get(tet)?))?;
+    (strength > 0.0).then_some(strength)
 }
 
 /// Inserts a tetrahedron where it belongs in the ranking; the last is pushed out.

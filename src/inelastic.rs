@@ -127,7 +127,7 @@ pub(crate) fn update<R: Lanes, L: Layout>(
     #[cfg(feature = "plasticity")]
     if let Some(law) = &settings.plasticity {
         let (x, q, h) = (&*state.x, &*state.rotations, settings.dt());
-        let flow = (h, law);
+        let flow = (h, law, settings.regions.as_ref());
         cfg_select! {
             feature = "fracture" => {
                 report.dissipated = if state.broken.is_empty() {
@@ -146,6 +146,7 @@ pub(crate) fn update<R: Lanes, L: Layout>(
     #[cfg(feature = "fracture")]
     if let Some(law) = &settings.fracture {
         let (x, q) = (&*state.x, &*state.rotations);
+        let law = (law, settings.regions.as_ref());
         #[cfg(feature = "plasticity")]
         if !state.plastic.is_empty() {
             let plastic = state.plastic.iter();
@@ -168,9 +169,17 @@ pub(crate) fn update<R: Lanes, L: Layout>(
 )]
 pub(crate) fn check(
     blocks: usize,
+    tets: usize,
     state: &StateMut<'_>,
     settings: &Settings<'_>,
 ) -> Result<(), Refusal> {
+    #[cfg(any(feature = "plasticity", feature = "fracture"))]
+    if settings
+        .regions
+        .is_some_and(|regions| regions.of.len() != tets)
+    {
+        return Err(Refusal::Storage);
+    }
     #[cfg(feature = "plasticity")]
     room(
         blocks,

@@ -14,7 +14,7 @@ use crate::material::{Material, MaterialError};
 #[cfg(feature = "contact")]
 use crate::rigid::{Rigid, Shape};
 #[cfg(feature = "contact")]
-use crate::surface::{boundary_triangles, sharp_edges};
+use crate::surface::{boundary, sharp_edges};
 
 /// Bodies, added one after the other, as one mesh: nodes, tetrahedra, and a material for each of these.
 ///
@@ -35,11 +35,14 @@ pub struct Assembly {
     surfaces: Vec<Surface>,
 }
 
+/// Of a soft body.
 #[cfg(feature = "contact")]
 #[derive(Clone, Debug)]
 struct Surface {
     triangles: Vec<[u32; 3]>,
     edges: Vec<[u32; 4]>,
+    /// One a triangle.
+    tets: Vec<u32>,
     nodes: Vec<u32>,
     friction: f32,
 }
@@ -148,14 +151,25 @@ impl Assembly {
         #[cfg(feature = "contact")]
         {
             let tets = self.tets.get(part.tets.clone()).unwrap_or_default();
-            let mut triangles = boundary_triangles(tets);
+            let found = boundary(tets);
+            let mut triangles: Vec<_> = found.iter().map(|&(_, triangle)| triangle).collect();
             spatial_order(&self.nodes, &mut triangles);
+            let mut of: Vec<_> = found.into_iter().map(|(tet, t)| (t, tet)).collect();
+            of.sort_unstable();
+            let first = part.tets.start;
+            // Each is there; more than u32 counts are never in a mesh.
+            let of = triangles.iter().map(|triangle| {
+                let at = of.binary_search_by(|(t, _)| t.cmp(triangle)).ok()?;
+                u32::try_from(first + of.get(at)?.1).ok()
+            });
+            let tets = of.map(|tet| tet.unwrap_or(u32::MAX)).collect();
             let mut nodes: Vec<u32> = triangles.as_flattened().to_vec();
             nodes.sort_unstable();
             nodes.dedup();
             self.surfaces.push(Surface {
                 triangles,
                 edges: Vec::new(),
+                tets,
                 nodes,
                 friction,
             });
@@ -222,6 +236,7 @@ impl Assembly {
                 range: (part.nodes.start as u32, part.nodes.end as u32),
                 triangles: &surface.triangles,
                 edges: &surface.edges,
+                tets: &surface.tets,
                 nodes: &surface.nodes,
                 friction: surface.friction,
             })
@@ -244,5 +259,21 @@ impl Assembly {
     pub fn boxes(&self) -> Vec<Aabb> {
         let of = |s: &Surface| boxes(s.triangles.len()) + boxes(s.edges.len());
         alloc::vec![Aabb::EMPTY; self.surfaces.iter().map(of).sum()]
+    }
+
+    /// Says that the mesh has the assembly's tetrahedra in another order: which of them is the mesh's k-th
+    /// ([`Fans::original`](crate::order::Ordered::original)). For [`Self::pieces`] of bodies that break.
+    #[cfg(feature = "contact")]
+    pub fn reorder(&mut self, original: &[usize]) {
+        let mut place = alloc::vec![u32::MAX; self.tets.len()];
+        for (new, &old) in (0_u32..).zip(original) {
+            if let Some(place) = place.get_mut(old) {
+                *place = new;
+            }
+        }
+        let tets = self.surfaces.iter_mut().flat_map(|s| &mut s.tets);
+        for tet in tets {
+            *tet = place.get(*tet as usize).copied().unwrap_or(u32::MAX);
+        }
     }
 }

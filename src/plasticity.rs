@@ -26,6 +26,9 @@
 //! An anisotropic body of the dense layout has μ from its isotropic material: that part of it flows (the matrix), and
 //! the rest (the fibres) stays elastic.
 //!
+//! One law holds for a body, or one of several for each tetrahedron
+//! ([`LawRegions`]).
+//!
 //! (3) sums to zero over the corners: linear momentum stays exact. Angular momentum of a free body is
 //! changed where ε_p and ε have other axes, by V·2μ (ε_p ε − ε ε_p) a tetrahedron and second: as with every
 //! anisotropic stress, σ and S do not commute. (A bar that was stretched by a tenth and thrown, spinning, has lost
@@ -41,6 +44,7 @@ use crate::lane::{BLOCK, Lanes, Real};
 use crate::operator::RotationBlock;
 use crate::polar;
 use crate::rest::Rest;
+use crate::settings::LawRegions;
 
 /// When, how fast and how far a body flows, validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -210,6 +214,37 @@ pub(crate) fn add_forces<R: Lanes, L: Layout, S: Share>(
     }
 }
 
+/// (γ₁, γ₂, a) of eight tetrahedra.
+struct Laws([[f32; BLOCK]; 3]);
+
+impl Laws {
+    /// Of those that do not flow.
+    const NEVER: [f32; 3] = [f32::MAX, f32::MAX, 0.0];
+
+    fn numbers(law: &Plasticity, h: f32) -> [f32; 3] {
+        [law.yield_strain, law.limit, h / (h + law.relaxation)]
+    }
+
+    fn all(law: &Plasticity, h: f32) -> Self {
+        Self(Self::numbers(law, h).map(|x| [x; BLOCK]))
+    }
+
+    /// Those of a block, by its first tetrahedron.
+    fn of(regions: &LawRegions<'_>, first: usize, h: f32) -> Self {
+        let mut out = Self([[0.0; BLOCK]; 3]);
+        for lane in 0..BLOCK {
+            let region = regions.of.get(first + lane).copied().unwrap_or(u16::MAX);
+            let law = regions.plasticity.get(usize::from(region));
+            let law = law.copied().flatten();
+            let numbers = law.map_or(Self::NEVER, |law| Self::numbers(&law, h));
+            for (out, x) in out.0.iter_mut().zip(numbers) {
+                out[lane] = x;
+            }
+        }
+        out
+    }
+}
+
 /// Strains beyond this would overflow when squared: they do not flow.
 const LARGEST: f32 = 1e15;
 
@@ -220,26 +255,26 @@ pub(crate) fn flow<R: Lanes, L: Layout, S: Share>(
     x: &[[f32; 3]],
     rotations: &[RotationBlock],
     shares: impl Iterator<Item = S>,
-    (h, law): (f32, &Plasticity),
+    (h, law, regions): (f32, &Plasticity, Option<&LawRegions<'_>>),
     plastic: &mut [PlasticBlock],
 ) -> f32 {
-    let part = h / (h + law.relaxation);
     let (zero, one) = (R::splat(0.0), R::splat(1.0));
-    let (part, yields, limit) = (
-        R::splat(part),
-        R::splat(law.yield_strain),
-        R::splat(law.limit),
-    );
+    let mut laws = Laws::all(law, h);
+    let mut first = (0..).step_by(BLOCK);
     let mut total = 0.0;
     let mut blocks = rotations.iter().zip(plastic).zip(shares);
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         for (tet, ((rotation, plastic), share)) in fan.iter().zip(blocks.by_ref()) {
+            if let (Some(regions), Some(first)) = (regions, first.next()) {
+                laws = Laws::of(regions, first, h);
+            }
             let mut work = [0.0; BLOCK];
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
                 let Some(edges) = edges.advance(x, &tet.corners, at) else {
                     continue;
                 };
+                let [yields, limit, part] = laws.0.each_ref().map(|x| R::load(x, at));
                 let f = deformation(&edges, &gradients::<R>(tet, at));
                 let strain = deviator(&polar::unrotated(&rotation.load::<R>(at), &f));
                 let before = plastic.load::<R>(at);

@@ -83,6 +83,8 @@ pub struct Rigid {
 pub(crate) struct Frame {
     pub centre: Vec3,
     pub axes: [Vec3; 3],
+    /// ℓ, by now for any shape at the same cost.
+    pub lengths: Vec3,
     /// J⁻¹ for nodes of mass 1, 1/m²
     pub inverse: Sym3<f32>,
 }
@@ -128,7 +130,7 @@ impl Rigid {
 
     #[inline(never)]
     pub(crate) fn arms(&self) -> [Vec3; 4] {
-        arms(&self.frame.axes, self.shape.lengths())
+        arms(&self.frame.axes, self.frame.lengths)
     }
 
     /// Coordinates along the axes.
@@ -193,7 +195,7 @@ impl Rigid {
         let (Some(x), Some(v)) = (four_mut(x, self.first), four_mut(v, self.first)) else {
             return;
         };
-        let lengths = self.shape.lengths();
+        let lengths = self.frame.lengths;
         let (mean, spin) = self.motion(v);
         let d = self.arms();
         let mut momentum = Vec3::ZERO;
@@ -224,6 +226,7 @@ impl Frame {
     const NONE: Self = Self {
         centre: Vec3::ZERO,
         axes: [Vec3::ZERO; 3],
+        lengths: Vec3::ZERO,
         inverse: [0.0; 6],
     };
 
@@ -242,6 +245,7 @@ impl Frame {
         Self {
             centre,
             axes,
+            lengths,
             inverse: inverse_inertia(&axes, lengths),
         }
     }

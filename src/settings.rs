@@ -127,6 +127,20 @@ impl From<&Settings<'_>> for Needs {
     }
 }
 
+/// Parts of a body, or bodies of one system, that yield and break by laws of their own.
+#[cfg(any(feature = "plasticity", feature = "fracture"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LawRegions<'a> {
+    /// One a tetrahedron: its place in the lists below.
+    pub of: &'a [u16],
+    /// Plastic flow; what has none of it, and what is beyond the list, does not yield.
+    #[cfg(feature = "plasticity")]
+    pub plasticity: &'a [Option<Plasticity>],
+    /// Strength, Pa; what is beyond the list, or is not positive there, does not fail.
+    #[cfg(feature = "fracture")]
+    pub strength: &'a [f32],
+}
+
 /// Everything about a step but the scene, validated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings<'a> {
@@ -147,6 +161,9 @@ pub struct Settings<'a> {
     /// Fracture, if any.
     #[cfg(feature = "fracture")]
     pub fracture: Option<Fracture>,
+    /// Whose laws differ from those above, if any do.
+    #[cfg(any(feature = "plasticity", feature = "fracture"))]
+    pub regions: Option<LawRegions<'a>>,
 }
 
 /// Which setting is out of its range; it carries the value.
@@ -191,6 +208,8 @@ impl<'a> Settings<'a> {
             plasticity: None,
             #[cfg(feature = "fracture")]
             fracture: None,
+            #[cfg(any(feature = "plasticity", feature = "fracture"))]
+            regions: None,
         })
     }
 
@@ -264,6 +283,17 @@ impl<'a> Settings<'a> {
     pub const fn with_fracture(self, fracture: Fracture) -> Self {
         Self {
             fracture: Some(fracture),
+            ..self
+        }
+    }
+
+    /// With laws by region, in place of the yield strain, limit and relaxation of the body's plastic flow and of the
+    /// strength of its fracture; it needs these all the same.
+    #[cfg(any(feature = "plasticity", feature = "fracture"))]
+    #[must_use]
+    pub const fn with_regions(self, regions: LawRegions<'a>) -> Self {
+        Self {
+            regions: Some(regions),
             ..self
         }
     }

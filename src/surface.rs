@@ -18,6 +18,13 @@ const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 /// Time and memory are in proportion to the number of tetrahedra, sorting aside.
 #[must_use]
 pub fn boundary_triangles(tets: &[[u32; 4]]) -> Vec<[u32; 3]> {
+    let boundary = boundary(tets);
+    boundary.into_iter().map(|(_, triangle)| triangle).collect()
+}
+
+/// [`boundary_triangles`], each behind the place of its tetrahedron.
+#[must_use]
+pub fn boundary(tets: &[[u32; 4]]) -> Vec<(usize, [u32; 3])> {
     let mut faces = Vec::with_capacity(4 * tets.len());
     for corners in tets {
         for face in FACES {
@@ -36,7 +43,10 @@ pub fn boundary_triangles(tets: &[[u32; 4]]) -> Vec<[u32; 3]> {
         })
         .collect();
     outer.sort_unstable();
-    outer.into_iter().map(|(_, face)| face).collect()
+    outer
+        .into_iter()
+        .map(|(place, face)| (place / FACES.len(), face))
+        .collect()
 }
 
 /// cos 30°

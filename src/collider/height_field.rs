@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::{ColliderError, Near, SignedDistance};
+use crate::cost::Shapes;
 use crate::math::{select, sqrt};
 
 /// Everything below a surface over a grid of heights, up being y. Metres.
@@ -115,5 +116,9 @@ impl SignedDistance for HeightField<'_> {
                 Vec3::new(-slope_x * up, up, -slope_z * up),
             )
         }
+    }
+
+    fn count(&self, shapes: &mut Shapes) {
+        shapes.height_fields += 1;
     }
 }

@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::{ColliderError, Near, SignedDistance};
+use crate::cost::Shapes;
 use crate::frame::Frame;
 use crate::math::{Mask, ratio_or_zero, select, select3, sqrt};
 
@@ -72,6 +73,10 @@ impl SignedDistance for Capsule {
         let normal = select3(on_axis, self.across.to_array(), (from * scale).to_array());
         Near::fixed(length - self.radius, Vec3::from_array(normal))
     }
+
+    fn count(&self, shapes: &mut Shapes) {
+        shapes.capsules += 1;
+    }
 }
 
 /// A box along the axes of its frame. Metres.
@@ -123,6 +128,10 @@ impl SignedDistance for Cuboid {
         );
         Near::fixed(select(is_inside, depth, length), normal)
     }
+
+    fn count(&self, shapes: &mut Shapes) {
+        shapes.boxes += 1;
+    }
 }
 
 /// A shape carried by a [`Frame`]: turned, moved, spinning. Its own coordinates are those of the frame.
@@ -164,5 +173,10 @@ impl<S: SignedDistance> SignedDistance for Placed<S> {
 
     fn moves(&self) -> bool {
         self.frame.moves() || self.shape.moves()
+    }
+
+    fn count(&self, shapes: &mut Shapes) {
+        shapes.placed += 1;
+        self.shape.count(shapes);
     }
 }

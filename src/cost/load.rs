@@ -80,6 +80,47 @@ pub struct Coarse {
     pub sums: usize,
 }
 
+/// Shapes of colliders that are no half-spaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Shapes {
+    /// Spheres.
+    pub spheres: usize,
+    /// [`Capsule`](crate::collider::Capsule)s.
+    pub capsules: usize,
+    /// [`Cuboid`](crate::collider::Cuboid)s.
+    pub boxes: usize,
+    /// [`HeightField`](crate::collider::HeightField)s.
+    pub height_fields: usize,
+    /// How many of all are [`Placed`](crate::collider::Placed).
+    pub placed: usize,
+    /// Shapes of one's own. What they cost, three calls a node, is not in the formula.
+    pub others: usize,
+}
+
+/// What couples the bodies of one system (feature `contact`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Coupled {
+    /// Soft pieces.
+    pub pieces: usize,
+    /// Rigid bodies.
+    pub rigids: usize,
+    /// Attachments and springs.
+    pub links: usize,
+    /// Slots for links and contacts, used or not.
+    pub slots: usize,
+}
+
+impl Coupled {
+    pub(super) fn parts(&self) -> usize {
+        self.pieces.saturating_add(self.rigids)
+    }
+
+    /// Parts, rigid ones among them, links, slots.
+    pub(super) fn counts(&self) -> [u64; 4] {
+        [self.parts(), self.rigids, self.links, self.slots].map(|count| count as u64)
+    }
+}
+
 /// All that a step's cost depends on, but for the budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Load {
@@ -100,15 +141,22 @@ pub struct Load {
     pub coarse: Coarse,
     /// Pins of the scene.
     pub pins: usize,
-    /// Colliders of the scene, as half-spaces. Another shape costs more, a number a node that is the same in every
-    /// state and that the tables do not hold: count it.
+    /// Colliders of the scene.
     pub colliders: usize,
+    /// Those of them that are no half-spaces.
+    pub shapes: Shapes,
     /// Whether a pin or collider has a velocity.
     pub moving: bool,
     /// Whether the scene has a list of forces.
     pub forces: bool,
     /// Whether θ < 1.
     pub newmark: bool,
+    /// Whether the body flows (feature `plasticity`).
+    pub flows: bool,
+    /// How many tetrahedra may fail in a step, 0 where the body does not break (feature `fracture`).
+    pub tears: u32,
+    /// Its couplings, if it has any: [`Self::with_couplings`].
+    pub coupled: Coupled,
 }
 
 impl Load {
@@ -131,17 +179,55 @@ impl Load {
             },
             pins: 0,
             colliders: 0,
+            shapes: Shapes {
+                spheres: 0,
+                capsules: 0,
+                boxes: 0,
+                height_fields: 0,
+                placed: 0,
+                others: 0,
+            },
             moving: false,
             forces: false,
             newmark: false,
+            flows: false,
+            tears: 0,
+            coupled: Coupled {
+                pieces: 0,
+                rigids: 0,
+                links: 0,
+                slots: 0,
+            },
         }
+    }
+
+    /// That of a step with these couplings.
+    #[cfg(feature = "contact")]
+    #[must_use]
+    pub fn with_couplings(self, couplings: &crate::coupling::Couplings<'_>) -> Self {
+        let coupled = Coupled {
+            pieces: couplings.pieces.len(),
+            rigids: couplings.rigids.len(),
+            links: couplings.links.len(),
+            slots: couplings.slots.len(),
+        };
+        Self { coupled, ..self }
     }
 
     /// That of a step. Goes through the mesh once: not for every step.
     #[must_use]
     pub fn of<L: Layout>(rest: &Rest<'_, L>, scene: &Scene<'_>, settings: &Settings<'_>) -> Self {
         let preconditioner = settings.preconditioner;
+        let mut shapes = Shapes::default();
+        for collider in scene.colliders {
+            collider.count(&mut shapes);
+        }
         Self {
+            shapes,
+            #[cfg(feature = "plasticity")]
+            flows: settings.plasticity.is_some(),
+            #[cfg(feature = "fracture")]
+            tears: settings.fracture.map_or(0, |law| law.per_step()),
             fans: fan::fans(rest).count(),
             start: settings.start,
             preconditioner: preconditioner.into(),

@@ -78,12 +78,12 @@ pub(super) fn decide(slot: &mut Coupling, prediction: &Prediction<'_>) -> bool {
     let speed = sqrt(slip.dot(slip));
     let least_speed = sqrt(ahead.dot(ahead)) - 4.0 * grip * ratio_or_zero(1.0, a, 0.0);
     let speed = select(speed > least_speed, speed, least_speed);
-    let rigid_only = slot.rigid.iter().zip(slot.weights.chunks(4));
-    let soft = rigid_only.fold(false, |soft, (&rigid, w)| {
-        let named = w.iter().fold(false, |named, &w| named | (w != 0.0));
-        soft | ((rigid == SOFT) & named)
-    });
-    let stuck = select(soft, HARDNESS, STUCK) * a;
+    let mut soft = 0;
+    for (rigid, weights) in slot.rigid.into_iter().zip(slot.weights.chunks(4)) {
+        let square = weights.iter().fold(0.0, |sum, w| sum + w * w);
+        soft |= Mask::of((rigid == SOFT) & (square > 0.0)).pick_u32(1, 0);
+    }
+    let stuck = select(soft == 1, HARDNESS, STUCK) * a;
     let tangent = select(
         grip < stuck * speed,
         ratio_or_zero(grip, speed, 0.0),

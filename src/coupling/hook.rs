@@ -22,6 +22,9 @@ pub(crate) struct CoupleStep<'a> {
     pub length_unit: f32,
     pub mass_unit: f32,
     pub velocity_unit: f32,
+    /// Which tetrahedra have failed; empty where none can.
+    #[cfg(feature = "fracture")]
+    pub broken: &'a [crate::fracture::BrokenBlock],
     /// b
     pub rhs: &'a [[f32; 3]],
     /// The diagonal blocks of A.

@@ -22,6 +22,9 @@ pub struct Piece<'a> {
     /// (`surface::boundary_triangles`), in any order; contacts are found fast in that of
     /// [`spatial_order`](detect::spatial_order).
     pub triangles: &'a [[u32; 3]],
+    /// The tetrahedron of each of them, by its place in the mesh: where it has failed, its triangle is gone. Empty for a
+    /// piece that does not break, or whose triangles stay.
+    pub tets: &'a [u32],
     /// Edges that may touch those of other pieces, by nodes: the two ends, then what the triangles on
     /// either side have besides (`surface::sharp_edges`). None: only nodes touch triangles.
     pub edges: &'a [[u32; 4]],

@@ -86,9 +86,19 @@
 //! nothing holds: each falls exactly, and keeps its own momentum, at every budget. The rotations of `rigid-m` are those
 //! of the whole system.
 //!
+//! # Flow and fracture
+//!
+//! Bodies that touch may yield and break, each by a law of its own
+//! ([`Settings::with_regions`](crate::settings::Settings)): forces of plastic strain are part of b, what has failed is no part
+//! of A, and both are updated behind the step as ever, so that momentum and the energy bounds stay
+//! (`tests/contact_bodies/damage.rs`). A boundary triangle whose tetrahedron has failed is gone, if the piece says which that
+//! is ([`Piece::tets`]); a crack's own faces are not found, but for their nodes that were on the surface.
+//!
 //! # Limits
 //!
-//! Backward Euler only (θ = 1). A solve that is truncated early lets contacts sink in deeper, and an
+//! Backward Euler only (θ = 1). With x⁺ = x + h(θv⁺ + (1−θ)v) half of the speed of an impact would go in whatever the
+//! solve does, (1−θ)h|u| deep, and a contact's spring would give back in the next step what it took: bodies would
+//! bounce, and the bounds above would not hold. A solve that is truncated early lets contacts sink in deeper, and an
 //! unconverged stack is soft; take `galerkin-1` or more. A contact that a step misses is closed in
 //! the next. The stiff lines of A' raise its condition number by up to 32 (1024 for hard links and rigid sticking).
 

@@ -7,7 +7,7 @@
 use glam::Vec3;
 
 use super::{CoupleStep, Coupling, SOFT};
-use crate::math::{ratio_or_zero, select, select3};
+use crate::math::{Mask, ratio_or_zero, select, select3};
 use crate::rigid::Rigid;
 use crate::vector::sym_mul;
 
@@ -79,8 +79,10 @@ impl<'a> Prediction<'a> {
         ratio_or_zero(1.0, compliance, 0.0)
     }
 
+    /// A rigid side's, else the first.
     fn body(&self, rigid: u16) -> Option<&'a Rigid> {
-        self.rigids.get(usize::from(rigid).saturating_sub(1))
+        let place = Mask::of(rigid == SOFT).pick_u32(1, u32::from(rigid));
+        self.rigids.get((place as usize).wrapping_sub(1))
     }
 
     /// v̂ += D⁻¹ Wᵀ `impulse` (m/s times the mass unit), on what the nodes and bodies may do.

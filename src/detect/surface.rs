@@ -64,8 +64,9 @@ pub(super) fn nearest(
     let (tree, here) = (&surface.triangles, Aabb::at(p));
     let mut least = reach * reach;
     let mut found = false;
-    tree.walk(step, &here, &mut least, |_, corners, least| {
-        if let Some(foot) = foot(p, corners)
+    tree.walk(step, &here, &mut least, |index, corners, least| {
+        if !is_torn(step, surface.piece, index)
+            && let Some(foot) = foot(p, corners)
             && foot.square <= *least
         {
             *least = foot.square;
@@ -82,6 +83,9 @@ pub(super) fn nearest(
         let Some(foot) = foot(p, corners) else {
             return;
         };
+        if is_torn(step, surface.piece, index) {
+            return;
+        }
         let distance = sqrt(foot.square);
         let touching = distance <= tiny;
         let facing = if touching {
@@ -116,6 +120,16 @@ pub(super) fn nearest(
         best = Some((facing, index, Nearest { side, normal, gap }));
     });
     best.map(|(_, _, nearest)| nearest)
+}
+
+/// Whether the tetrahedron of a triangle has failed.
+fn is_torn(step: &CoupleStep<'_>, piece: &crate::coupling::Piece<'_>, triangle: u32) -> bool {
+    #[cfg(feature = "fracture")]
+    if let Some(&tet) = piece.tets.get(triangle as usize) {
+        return crate::fracture::has_failed(step.broken, tet as usize);
+    }
+    let _ = (step, piece, triangle);
+    false
 }
 
 /// How far a point is to be looked for, that meets others at up to `speed`.

@@ -42,7 +42,7 @@ pub(super) fn check<L: Layout>(
     {
         return Err(Refusal::Storage);
     }
-    inelastic::check(blocks, state, settings)?;
+    inelastic::check(blocks, rest.header.tets as usize, state, settings)?;
     if state.history.len() < settings.start.history() * nodes {
         return Err(Refusal::History);
     }

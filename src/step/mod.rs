@@ -175,6 +175,8 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         length_unit: rest.header.length_unit,
         mass_unit: units.mass,
         velocity_unit: units.velocity,
+        #[cfg(feature = "fracture")]
+        broken: state.broken,
         rhs: work.r,
         blocks: work.blocks,
         filter: work.filter,

@@ -8,10 +8,10 @@ use femto::settings::{Budget, Settings, Start};
 use super::support::meshes::Lcg;
 use super::world::{AXES, World, ball, cube, soft};
 
-const H: f32 = 1.0 / 150.0;
+pub const H: f32 = 1.0 / 150.0;
 const BUDGETS: [u32; 4] = [0, 1, 2, 5];
 /// Those that the energy theorem covers.
-const STARTS: [Start; 5] = [
+pub const STARTS: [Start; 5] = [
     Start::Zero,
     Start::Galerkin(0),
     Start::Galerkin(1),
@@ -19,7 +19,7 @@ const STARTS: [Start; 5] = [
     Start::Rigid(1),
 ];
 
-fn settings(start: Start, iterations: u32) -> Settings<'static> {
+pub fn settings(start: Start, iterations: u32) -> Settings<'static> {
     Settings::new(H)
         .unwrap()
         .with_start(start)
@@ -30,7 +30,13 @@ fn settings(start: Start, iterations: u32) -> Settings<'static> {
 }
 
 /// Two cubes and a ball that meet; every seed differs.
-fn collision(settings: &Settings<'_>, friction: f32, young: f32, seed: u64, spin: f32) -> World {
+pub fn collision(
+    settings: &Settings<'_>,
+    friction: f32,
+    young: f32,
+    seed: u64,
+    spin: f32,
+) -> World {
     let mut random = Lcg(seed);
     let mut near =
         |size: f32| Vec3::from_array(core::array::from_fn(|_| size * random.signed() as f32));

@@ -46,15 +46,29 @@ impl Oracle {
             .map(|m| f64::from(*m))
             .collect();
         let rigid: Vec<usize> = world.rigids.iter().map(|r| r.first() as usize).collect();
-        for (tet, volume) in reference.tets.iter().zip(&mut reference.volumes) {
-            if rigid.contains(&tet[0]) {
+        let state = world.body.state().view();
+        for (e, volume) in reference.volumes.iter_mut().enumerate() {
+            if rigid.contains(&reference.tets[e][0]) || state.is_broken(e) {
                 *volume = 0.0;
             }
         }
         reference.x = stack(world.body.positions());
         reference.v = stack(world.body.velocities());
         let q = reference.rotations(&reference.x);
-        let (a, b) = reference.system(&q);
+        let (a, mut b) = reference.system(&q);
+        // 2μV Q ε_p g, of bodies that flow.
+        for (e, tet) in reference.tets.iter().enumerate() {
+            let Some(block) = state.plastic.get(e / 8) else {
+                break;
+            };
+            let [xx, xy, xz, yy, yz, zz] = block.0.map(|c| f64::from(c[e % 8]));
+            let strain = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+            let size = 2.0 * reference.mu * reference.volumes[e] * h;
+            for (&i, g) in tet.iter().zip(&reference.gradients[e]) {
+                let mut at = b.fixed_rows_mut::<3>(3 * i);
+                at += q[e] * strain * g * size;
+            }
+        }
         Self {
             reference,
             a,
@@ -232,7 +246,7 @@ impl Oracle {
 }
 
 /// Two cubes that overlap a little, thrown together and shaken, and a ball on one of them.
-fn crowd(settings: &Settings<'_>) -> World {
+pub fn crowd(settings: &Settings<'_>) -> World {
     let mut parts = Assembly::new();
     for at in [[0.0, 0.0, 0.0], [0.395, 0.05, 0.07]] {
         let mesh = cube(0.4, 3, at);
@@ -275,7 +289,7 @@ fn crowd(settings: &Settings<'_>) -> World {
     world
 }
 
-fn settings(iterations: u32, preconditioner: Preconditioner<'static>) -> Settings<'static> {
+pub fn settings(iterations: u32, preconditioner: Preconditioner<'static>) -> Settings<'static> {
     Settings::new(0.01)
         .unwrap()
         .with_budget(Budget {
@@ -296,81 +310,90 @@ fn a_step_is_the_dense_solution() {
     ] {
         let settings = settings(600, preconditioner);
         let mut world = crowd(&settings);
-        world.links = vec![
-            Link::nodes(0, 70).soft(3e3, 20.0),
-            Link::to_target(
-                [(3, 1.0)],
-                Vec3::new(-0.1, 0.2, 0.3),
-                Vec3::new(1.0, 0.0, 0.0),
-            )
-            .soft(500.0, 5.0),
-        ];
-        let oracle = Oracle::new(&world, 0.01);
-        let gravity = Vec3::new(0.0, -9.81, 0.0);
-        let report = world.step(
-            &Scene {
-                gravity,
-                ..Scene::default()
-            },
-            &settings,
-        );
-        assert!(report.advanced() && report.dropped == 0, "{report:?}");
+        world.links = links();
+        is_the_dense_solution(&mut world, &settings, 15);
+    }
+}
 
-        let (links, contacts) = world.slots.split_at(2);
-        let found = contacts.iter().filter(|slot| slot.normal() != [0.0; 3]);
-        let mut dense = oracle.contacts(&found.collect::<Vec<_>>());
-        let active = contacts.iter().filter(|slot| slot.is_active()).count();
-        assert_eq!(dense.len(), active);
-        assert!(active > 15, "{active} contacts");
-        for (slot, (k, c, target, s)) in links.iter().zip([
-            (3e3, 20.0, Vector3::zeros(), Vector3::zeros()),
-            (
-                500.0,
-                5.0,
-                Vector3::new(-0.1, 0.2, 0.3),
-                Vector3::new(1.0, 0.0, 0.0),
-            ),
-        ]) {
-            // −h k (e + h (u⁺ − s)) − h c (u⁺ − s)
-            let w = oracle.w(slot);
-            let apart = &w * &oracle.reference.x;
-            let apart = Vector3::new(apart[0], apart[1], apart[2]) - target;
-            let b = 0.01 * 0.01 * k + 0.01 * c;
-            dense.push(Dense {
-                w,
-                b: Matrix3::identity() * b,
-                j: s * b - apart * (0.01 * k),
-            });
-        }
-        let expected = oracle.solve(&dense);
-        let found = stack(world.body.velocities());
-        // Residuals end below 2⁻²² of the right-hand side, and the error is at most the root of the condition number (some
-        // 10³ with couplings of 32 a) times that, relative to the largest speed in the A-norm; forces of f32 positions
-        // (0.6 m at E = 2e5) are rounded at ε h E x Δx, or 2e-5 of a node's momentum here.
-        let size = expected.amax();
-        let soft = world.parts.parts[2].nodes.start;
-        for i in 0..soft {
-            let error = (node(&found, i) - node(&expected, i)).norm() / size;
-            assert!(error < 2e-4, "{preconditioner:?} node {i}: {error:e}");
-        }
-        // The ball has the velocity and the spin of the solution, on its turned shape.
-        let rows = |v: &DVector<f64>| -> Vector3<f64> {
-            (0..4).map(|k| node(v, soft + k)).sum::<Vector3<f64>>() / 4.0
-        };
-        assert!((rows(&found) - rows(&expected)).norm() < 2e-4 * size);
-        let spin = |x: &DVector<f64>, v: &DVector<f64>| -> Vector3<f64> {
-            let c = (0..4).map(|k| node(x, soft + k)).sum::<Vector3<f64>>() / 4.0;
-            (0..4)
-                .map(|k| (node(x, soft + k) - c).cross(&node(v, soft + k)))
-                .sum()
-        };
-        let (after, before) = (stack(world.body.positions()), &oracle.reference.x);
-        let (l, expected_l) = (spin(&after, &found), spin(before, &expected));
+pub fn links() -> Vec<Link> {
+    let target = Vec3::new(-0.1, 0.2, 0.3);
+    vec![
+        Link::nodes(0, 70).soft(3e3, 20.0),
+        Link::to_target([(3, 1.0)], target, Vec3::X).soft(500.0, 5.0),
+    ]
+}
+
+/// Takes a step of a [`crowd`] with both of these links, and compares it.
+pub fn is_the_dense_solution(world: &mut World, settings: &Settings<'_>, least: usize) {
+    let oracle = Oracle::new(world, 0.01);
+    let gravity = Vec3::new(0.0, -9.81, 0.0);
+    let report = world.step(
+        &Scene {
+            gravity,
+            ..Scene::default()
+        },
+        settings,
+    );
+    assert!(report.advanced() && report.dropped == 0, "{report:?}");
+
+    let (links, contacts) = world.slots.split_at(2);
+    let found = contacts.iter().filter(|slot| slot.normal() != [0.0; 3]);
+    let mut dense = oracle.contacts(&found.collect::<Vec<_>>());
+    let active = contacts.iter().filter(|slot| slot.is_active()).count();
+    assert_eq!(dense.len(), active);
+    assert!(active > least, "{active} contacts");
+    for (slot, (k, c, target, s)) in links.iter().zip([
+        (3e3, 20.0, Vector3::zeros(), Vector3::zeros()),
+        (
+            500.0,
+            5.0,
+            Vector3::new(-0.1, 0.2, 0.3),
+            Vector3::new(1.0, 0.0, 0.0),
+        ),
+    ]) {
+        // −h k (e + h (u⁺ − s)) − h c (u⁺ − s)
+        let w = oracle.w(slot);
+        let apart = &w * &oracle.reference.x;
+        let apart = Vector3::new(apart[0], apart[1], apart[2]) - target;
+        let b = 0.01 * 0.01 * k + 0.01 * c;
+        dense.push(Dense {
+            w,
+            b: Matrix3::identity() * b,
+            j: s * b - apart * (0.01 * k),
+        });
+    }
+    let expected = oracle.solve(&dense);
+    let found = stack(world.body.velocities());
+    // Residuals end below 2⁻²² of the right-hand side, and the error is at most the root of the condition number (some
+    // 10³ with couplings of 32 a) times that, relative to the largest speed in the A-norm; forces of f32 positions
+    // (0.6 m at E = 2e5) are rounded at ε h E x Δx, or 2e-5 of a node's momentum here.
+    let size = expected.amax();
+    let soft = world.parts.parts[2].nodes.start;
+    for i in 0..soft {
+        let error = (node(&found, i) - node(&expected, i)).norm() / size;
         assert!(
-            (l - expected_l).norm() < 2e-4 * 0.1 * size,
-            "{l} {expected_l}"
+            error < 2e-4,
+            "{:?} node {i}: {error:e}",
+            settings.preconditioner
         );
     }
+    // The ball has the velocity and the spin of the solution, on its turned shape.
+    let rows = |v: &DVector<f64>| -> Vector3<f64> {
+        (0..4).map(|k| node(v, soft + k)).sum::<Vector3<f64>>() / 4.0
+    };
+    assert!((rows(&found) - rows(&expected)).norm() < 2e-4 * size);
+    let spin = |x: &DVector<f64>, v: &DVector<f64>| -> Vector3<f64> {
+        let c = (0..4).map(|k| node(x, soft + k)).sum::<Vector3<f64>>() / 4.0;
+        (0..4)
+            .map(|k| (node(x, soft + k) - c).cross(&node(v, soft + k)))
+            .sum()
+    };
+    let (after, before) = (stack(world.body.positions()), &oracle.reference.x);
+    let (l, expected_l) = (spin(&after, &found), spin(before, &expected));
+    assert!(
+        (l - expected_l).norm() < 2e-4 * 0.1 * size,
+        "{l} {expected_l}"
+    );
 }
 
 #[test]

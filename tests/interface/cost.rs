@@ -1,11 +1,15 @@
 //! The cost formula as a whole; that its coefficients are right is shown by counts (`examples/firmware/fit check`).
 
-use femto::cost::{Coarse, Kind, Load, Machine, ROWS, terms};
+use femto::collider::{Capsule, Cuboid, HeightField, Placed, SignedDistance};
+use femto::cost::{Coarse, Coupled, Kind, Load, Machine, ROWS, Search, Shapes, terms};
+use femto::coupling::{Link, Piece};
 use femto::glam::Vec3;
 use femto::order::fans;
 use femto::preconditioner::Aggregates;
+use femto::rigid::{Rigid, Shape};
 use femto::{
-    Budget, Collider, Material, Mesh, OwnedBody, Pin, Preconditioner, Scene, Settings, Start,
+    Budget, Collider, Coupling, Couplings, Fracture, Frame, Material, Mesh, OwnedBody, Pin,
+    Plasticity, Preconditioner, Scene, Settings, Start,
 };
 
 const TET: ([[f32; 3]; 4], [[u32; 4]; 1]) = (
@@ -159,6 +163,158 @@ fn every_part_of_a_scene_costs() {
         own.map(|((name, _), _)| *name).collect::<Vec<_>>(),
         ["jacobi: step", "jacobi: iteration"]
     );
+}
+
+#[test]
+fn what_features_add_costs() {
+    let shapes = Shapes::default();
+    let coupled = Coupled {
+        pieces: 2,
+        rigids: 1,
+        links: 3,
+        slots: 40,
+    };
+    let plain = Load {
+        colliders: 1,
+        ..Load::new(100, 400)
+    };
+    let joined = Load { coupled, ..plain };
+    let shaped = |shapes| Load { shapes, ..plain };
+    let with = |coupled| Load { coupled, ..plain };
+    let more = [
+        (
+            plain,
+            shaped(Shapes {
+                capsules: 1,
+                ..shapes
+            }),
+        ),
+        (plain, shaped(Shapes { boxes: 1, ..shapes })),
+        (
+            plain,
+            shaped(Shapes {
+                height_fields: 1,
+                ..shapes
+            }),
+        ),
+        (
+            plain,
+            shaped(Shapes {
+                placed: 1,
+                ..shapes
+            }),
+        ),
+        (
+            plain,
+            Load {
+                flows: true,
+                ..plain
+            },
+        ),
+        (plain, Load { tears: 1, ..plain }),
+        (Load { tears: 1, ..plain }, Load { tears: 9, ..plain }),
+        (plain, joined),
+        (
+            joined,
+            with(Coupled {
+                pieces: 3,
+                ..coupled
+            }),
+        ),
+        (
+            joined,
+            with(Coupled {
+                rigids: 2,
+                ..coupled
+            }),
+        ),
+        (
+            joined,
+            with(Coupled {
+                slots: 41,
+                ..coupled
+            }),
+        ),
+    ];
+    for (name, machine) in Machine::ALL {
+        for (less, more) in more {
+            let [less, more_cost] = [less, more].map(|load| Budget::default().cost(&load, machine));
+            assert!(more_cost > less, "{name}: {more:?}");
+        }
+    }
+}
+
+#[test]
+fn the_load_of_what_features_add() {
+    let mesh = Mesh::new(&TET.0, &TET.1).unwrap();
+    let material = Material::new(1e5, 0.3, 1000.0).unwrap();
+    let body: OwnedBody = OwnedBody::new(&mesh, &material, Start::Zero).unwrap();
+    let ball = Capsule::new(Vec3::ZERO, Vec3::X, 0.1).unwrap();
+    let slab = Placed::new(Cuboid::new(Vec3::ZERO, Vec3::ONE).unwrap(), Frame::WORLD);
+    let field = HeightField::new(&[0.0; 4], [2, 2], [1.0; 2]).unwrap();
+    let own = |x: Vec3| (x.y, Vec3::Y);
+    let shapes: [&dyn SignedDistance; 4] = [&ball, &slab, &field, &own];
+    let mut colliders = shapes.map(Collider::shape).to_vec();
+    colliders.push(Collider::sphere(Vec3::ZERO, 1.0).unwrap());
+    let scene = Scene {
+        colliders: &colliders,
+        ..Scene::default()
+    };
+    let settings = Settings::new(0.01)
+        .unwrap()
+        .with_plasticity(Plasticity::new(0.1, 1.0).unwrap())
+        .with_fracture(Fracture::new(1e5, 3, 9).unwrap());
+    let load = Load::of(&body.rest(), &scene, &settings);
+    let one = Shapes {
+        spheres: 1,
+        capsules: 1,
+        boxes: 1,
+        height_fields: 1,
+        placed: 1,
+        others: 1,
+    };
+    assert_eq!((load.shapes, load.flows, load.tears), (one, true, 3));
+    assert_eq!(load.coupled, Coupled::default());
+
+    // Two pieces of four surface nodes and four triangles each, a ball and a box; two colliders.
+    let piece = |range, nodes| Piece {
+        range,
+        triangles: &[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]],
+        tets: &[],
+        edges: &[],
+        nodes,
+        friction: 0.0,
+    };
+    let pieces = [piece((0, 4), &[0, 1, 2, 3]), piece((4, 8), &[4, 5, 6, 7])];
+    let half = Vec3::splat(0.1);
+    let mut rigids = [
+        Rigid::new(8, Shape::Ball { radius: 0.1 }, 0.0),
+        Rigid::new(12, Shape::Cuboid { half }, 0.0),
+    ];
+    let mut slots = [Coupling::EMPTY; 9];
+    let links = [Link::nodes(0, 4)];
+    let couplings = Couplings::new(&pieces, &mut rigids, &links, &mut slots);
+    let coupled = Coupled {
+        pieces: 2,
+        rigids: 2,
+        links: 1,
+        slots: 9,
+    };
+    assert_eq!(load.with_couplings(&couplings).coupled, coupled);
+    let search = Search::of(&couplings, 2);
+    // Node against piece, twice four; nodes and own points against rigid bodies; the boxes' pair; colliders.
+    let points = 8 + 2 * (4 + 1) + 2 * (4 + 8) + 16 + 2 * (1 + 8);
+    let expected = Search {
+        nodes: 8 + 8,
+        pairs: 6,
+        points,
+        looks: 6 * (4 * 4 * 2) + 2 * 8 + 8 * (4 + 4) + 50 * (4 + 4),
+        contacts: points,
+        slots: 8,
+    };
+    assert_eq!(search, expected);
+    let fewer = Search { looks: 0, ..search };
+    assert!(search.most() > fewer.most());
 }
 
 #[test]

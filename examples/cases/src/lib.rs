@@ -16,6 +16,15 @@ pub mod factor;
 pub mod fans {
     include!(concat!(env!("OUT_DIR"), "/fans.rs"));
 }
+/// Worlds of several bodies, by name; written by the build script.
+#[cfg(feature = "contact")]
+#[rustfmt::skip]
+mod worlds {
+    use super::cost::coupled::{Surface, World};
+    use femto::glam::Vec3;
+    use femto::rigid::Shape;
+    include!(concat!(env!("OUT_DIR"), "/worlds.rs"));
+}
 pub mod mesh;
 pub mod scenes;
 pub mod states;

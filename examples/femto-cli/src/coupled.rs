@@ -86,12 +86,6 @@ pub fn check(checker: &Checker, raw: &SceneFile, bodies: &mut Vec<Body>) -> Resu
             return Err(checker.wrong(key, &count, format!("must not be more than {limit}")));
         }
     }
-    if let Some(i) = bodies.iter().position(|body| body.laws.any()) {
-        return Err(Error::Scene {
-            file: checker.file.into(),
-            what: format!("body[{i}]: bodies that touch or are joined cannot yield or break"),
-        });
-    }
     for (i, body) in bodies.iter().enumerate() {
         for (name, value, first) in [
             ("alpha", body.alpha, bodies[0].alpha),
@@ -366,6 +360,8 @@ pub struct Joint {
     pub slots: Vec<Coupling>,
     /// Scratch of the search for contacts.
     pub boxes: Vec<Aabb>,
+    /// Which of the assembly's tets each of the system's is.
+    pub original: Vec<usize>,
 }
 
 /// Makes the system, its tetrahedra in fans, and its rest data.
@@ -416,6 +412,7 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         }
     }
     let ordered = fans(&parts.tets);
+    parts.reorder(&ordered.original);
     let of: Vec<u16> = ordered.original.iter().map(|&t| substances.of[t]).collect();
     let regions = Regions {
         materials: &materials,
@@ -448,6 +445,7 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         specs: coupled.links.clone(),
         slots: vec![Coupling::EMPTY; coupled.capacity],
         boxes: parts.boxes(),
+        original: ordered.original,
         rigids,
         parts,
     };

@@ -17,7 +17,7 @@ use femto::owned::{OwnedBody, OwnedState};
 use femto::preconditioner::Factor;
 use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::settings::{Needs, Preconditioner, Settings, Start};
-use femto::state::{broken_bytes, plastic_bytes};
+use femto::state::{StateRef, broken_bytes, plastic_bytes};
 use femto::step::{Scene as StepScene, StepReport};
 use femto_bake::OwnedFactor;
 
@@ -55,6 +55,8 @@ struct Body<'a> {
     /// The aggregate of each node, for the two-level preconditioner.
     aggregates: Option<Vec<u8>>,
     laws: Laws,
+    /// Those of the bodies of one system.
+    regions: Option<joined::Regions>,
     /// Of bodies that yield or break: the scene's number of every tet of the library's.
     original: Vec<usize>,
     /// What plastic flow took so far, J, and what broke.
@@ -151,6 +153,7 @@ impl<'a> Sim<'a> {
                 factor: factor.as_ref().map(OwnedFactor::view),
                 aggregates,
                 laws: body.laws,
+                regions: None,
                 original: match body.laws.any() {
                     true => fans(&body.tets).original,
                     false => Vec::new(),
@@ -238,12 +241,13 @@ impl<'a> Sim<'a> {
                     pins: &body.pins,
                     colliders: &colliders,
                 };
-                let settings = own_settings(
+                let mut settings = own_settings(
                     &self.settings,
                     body.factor.as_ref(),
                     body.aggregates.as_deref(),
                     body.laws,
                 );
+                settings.regions = body.regions.as_ref().map(joined::Regions::view);
                 let begin = Instant::now();
                 let report: StepReport = match &mut self.joint {
                     None => with!(&mut body.kind, body => body.step(&scene, &settings)),
@@ -354,7 +358,12 @@ impl<'a> Sim<'a> {
         if self.joint.is_some() {
             let bodies = 0..self.bodies();
             let one = |hash: StateHash, b| hash.with(self.positions(b), self.velocities(b));
-            return bodies.fold(StateHash::new(), one).value();
+            let hash = bodies.fold(StateHash::new(), one);
+            let body = &self.bodies[0];
+            return match body.laws.any() {
+                true => with!(&body.kind, body => hash.with_state(&body.state().view())).value(),
+                false => hash.value(),
+            };
         }
         self.bodies
             .iter()
@@ -378,18 +387,27 @@ impl<'a> Sim<'a> {
         })
     }
 
+    /// Calls `f` with the state that a body is in and, for each of its tets, the state's number and the scene's.
+    fn each_tet(&self, body: usize, mut f: impl FnMut(&StateRef<'_>, usize, usize)) {
+        let (own, range) = match &self.joint {
+            None => (&self.bodies[body], 0..usize::MAX),
+            Some(joint) => (&self.bodies[0], joint.parts.parts[body].tets.clone()),
+        };
+        with!(&own.kind, built => {
+            let state = built.state().view();
+            for (tet, original) in own.original.iter().enumerate() {
+                if range.contains(original) {
+                    f(&state, tet, original - range.start);
+                }
+            }
+        });
+    }
+
     /// Which tets of a body are whole, as the scene counts them.
     pub fn whole(&self, body: usize, tets: usize) -> Vec<bool> {
         let mut whole = vec![true; tets];
-        if self.joint.is_some() {
-            return whole;
-        }
-        let body = &self.bodies[body];
-        with!(&body.kind, built => {
-            let state = built.state().view();
-            for (tet, &original) in body.original.iter().enumerate() {
-                whole[original] = !state.is_broken(tet);
-            }
+        self.each_tet(body, |state, tet, original| {
+            whole[original] = !state.is_broken(tet)
         });
         whole
     }
@@ -397,15 +415,8 @@ impl<'a> Sim<'a> {
     /// Norm of the plastic strain of a body's tets, as the scene counts them; 0 for those of bodies that do not yield.
     pub fn plastic_strain(&self, body: usize, tets: usize) -> Vec<f32> {
         let mut norms = vec![0.0; tets];
-        if self.joint.is_some() {
-            return norms;
-        }
-        let body = &self.bodies[body];
-        with!(&body.kind, built => {
-            let state = built.state().view();
-            for (tet, &original) in body.original.iter().enumerate() {
-                norms[original] = state.plastic_strain(tet);
-            }
+        self.each_tet(body, |state, tet, original| {
+            norms[original] = state.plastic_strain(tet)
         });
         norms
     }

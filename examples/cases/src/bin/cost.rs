@@ -1,10 +1,12 @@
-//! Steps to be counted by the plugin under qemu-user: `cost prove`, `cost measure` or `cost cube`; see [`femto_cases::cost`].
+//! Steps to be counted by the plugin under qemu-user: `cost prove` and others; see [`femto_cases::cost`].
 
 use std::fmt::Arguments;
 use std::hint::black_box;
 use std::io::Write;
 use std::process::ExitCode;
 
+#[cfg(feature = "contact")]
+use femto_cases::cost::coupled;
 use femto_cases::cost::{Counter, Room, cube, measure, prove};
 
 #[expect(unsafe_code, reason = "the plugin finds the function by its name")]
@@ -38,6 +40,10 @@ fn main() -> ExitCode {
         Some("prove") => prove(&mut room, &mut counter),
         Some("measure") => measure(&mut room, &mut counter),
         Some("cube") => cube(&mut room, &mut counter),
+        #[cfg(feature = "contact")]
+        Some("prove-coupled") => coupled::prove(&mut room, &mut counter),
+        #[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+        Some("measure-more") => femto_cases::cost::measure_more(&mut room, &mut counter),
         _ => return ExitCode::from(2),
     };
     ExitCode::from(u8::from(outcome.is_err()))

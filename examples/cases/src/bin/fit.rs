@@ -12,7 +12,7 @@ use std::io::{self, BufRead};
 use std::process::ExitCode;
 
 use femto::Budget;
-use femto::cost::{Coarse, Kind, Load, Machine, ROWS, SIZES, terms};
+use femto::cost::{Coarse, Coupled, Kind, Load, Machine, ROWS, SIZES, Shapes, terms};
 use femto_cases::choices::{MORE_STARTS, STARTS};
 use nalgebra::{DMatrix, DVector};
 
@@ -23,6 +23,22 @@ struct Counted {
     load: Load,
     budget: Budget,
     instructions: u64,
+}
+
+impl Counted {
+    /// Whether it has what only features have, or other shapes.
+    fn more(&self) -> bool {
+        let load = &self.load;
+        let spheres = load.shapes.spheres;
+        load.shapes
+            != Shapes {
+                spheres,
+                ..Shapes::default()
+            }
+            || load.flows
+            || load.tears > 0
+            || load.coupled != Coupled::default()
+    }
 }
 
 /// Largest error that is allowed.
@@ -45,7 +61,15 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     }
     let worst = match mode.as_str() {
         "table" => {
-            let table = fit(&counted)?;
+            // First what every build has, then what features add to it.
+            let (more, plain): (Vec<_>, Vec<_>) = counted.iter().partition(|step| step.more());
+            let mut table = vec![[0; SIZES]; ROWS.len()];
+            for steps in [plain, more] {
+                let added = fit(&table, &steps)?;
+                for (sum, row) in table.iter_mut().flatten().zip(added.iter().flatten()) {
+                    *sum += row;
+                }
+            }
             let constant = name.to_uppercase().replace('-', "_");
             println!("pub(super) const {constant}: Table = [");
             for (row, (name, _)) in table.iter().zip(ROWS) {
@@ -91,34 +115,45 @@ fn report(name: &str, counted: &[Counted], formula: impl Fn(&Counted) -> f64) ->
     unseen
 }
 
-/// Least squares of the relative error, the smallest coefficients where several sets are as good.
-fn fit(counted: &[Counted]) -> Result<Vec<[i32; SIZES]>, Box<dyn Error>> {
-    let steps: Vec<&Counted> = counted.iter().filter(|step| step.fitted).collect();
-    let mut factors = DMatrix::zeros(steps.len(), SIZES * ROWS.len());
+/// What is missing in `table`, in rows that have nothing yet: least squares of the relative error, the smallest
+/// coefficients where several sets are as good.
+fn fit(table: &[[i32; SIZES]], counted: &[&Counted]) -> Result<Vec<[i32; SIZES]>, Box<dyn Error>> {
+    let steps: Vec<&Counted> = counted.iter().filter(|step| step.fitted).copied().collect();
+    let open: Vec<bool> = table.iter().map(|row| *row == [0; SIZES]).collect();
+    let mut factors = DMatrix::<f64>::zeros(steps.len(), SIZES * ROWS.len());
     for (i, step) in steps.iter().enumerate() {
         let rows = terms(&step.load, step.budget);
         for (row, (factor, (_, depends))) in rows.iter().zip(ROWS).enumerate() {
             for (k, size) in step.load.sizes().into_iter().enumerate() {
-                let part = if depends[k] { factor * size } else { 0 };
+                let part = if depends[k] && open[row] {
+                    factor * size
+                } else {
+                    0
+                };
                 factors[(i, SIZES * row + k)] = part as f64 / step.instructions as f64;
             }
         }
     }
-    // Columns of one size, so that small ones are not taken for rounding.
-    let scales: Vec<f64> = factors
-        .column_iter()
-        .map(|c| if c.amax() > 0.0 { c.amax() } else { 1.0 })
-        .collect();
-    for (mut column, scale) in factors.column_iter_mut().zip(&scales) {
-        column /= *scale;
+    // Columns that any step has, of one size, so that small ones are not taken for rounding.
+    let scales: Vec<f64> = factors.column_iter().map(|c| c.amax()).collect();
+    let used: Vec<usize> = (0..scales.len()).filter(|&k| scales[k] > 0.0).collect();
+    let mut factors = factors.select_columns(&used);
+    for (mut column, &k) in factors.column_iter_mut().zip(&used) {
+        column /= scales[k];
     }
-    let ones = DVector::from_element(steps.len(), 1.0);
-    let solution = factors.svd(true, true).solve(&ones, 1e-9)?;
-    let coefficients: Vec<i32> = solution
+    let missing = steps
         .iter()
-        .zip(&scales)
-        .map(|(x, scale)| (16.0 * x / scale).round() as i32)
-        .collect();
+        .map(|step| 1.0 - of(table, step) / step.instructions as f64);
+    let missing = DVector::from_iterator(steps.len(), missing);
+    // Relative to the largest singular value; sweeps that do not end would say nothing.
+    let svd = factors.try_svd(true, true, 1e-12, 10_000);
+    let solution = svd
+        .ok_or("the fit does not converge")?
+        .solve(&missing, 1e-9)?;
+    let mut coefficients = vec![0; scales.len()];
+    for (x, &k) in solution.iter().zip(&used) {
+        coefficients[k] = (16.0 * x / scales[k]).round() as i32;
+    }
     Ok(coefficients.as_chunks().0.to_vec())
 }
 
@@ -155,11 +190,26 @@ fn parse(line: &str) -> Option<Counted> {
         sums,
     ] = numbers;
     let [kind, start] = [words.next()?, words.next()?];
-    let mut numbers = [0; 8];
+    let mut numbers = [0; 19];
     for number in &mut numbers {
         *number = words.next()?.parse().ok()?;
     }
-    let [k, sweeps, pins, colliders, moving, forces, newmark, count] = numbers;
+    let [k, sweeps, pins, colliders, moving, forces, newmark, ..] = numbers;
+    let [
+        ..,
+        spheres,
+        capsules,
+        boxes,
+        height_fields,
+        placed,
+        flows,
+        tears,
+        pieces,
+        rigids,
+        links,
+        slots,
+        count,
+    ] = numbers;
     let (_, preconditioner) = Kind::ALL.into_iter().find(|(name, _)| *name == kind)?;
     let mut starts = STARTS.iter().chain(&MORE_STARTS);
     let &(_, start) = starts.find(|(name, _)| *name == start)?;
@@ -181,6 +231,22 @@ fn parse(line: &str) -> Option<Counted> {
             moving: moving == 1,
             forces: forces == 1,
             newmark: newmark == 1,
+            shapes: Shapes {
+                spheres,
+                capsules,
+                boxes,
+                height_fields,
+                placed,
+                others: 0,
+            },
+            flows: flows == 1,
+            tears: tears as u32,
+            coupled: Coupled {
+                pieces,
+                rigids,
+                links,
+                slots,
+            },
             ..Load::new(nodes, tets)
         },
         budget: Budget {

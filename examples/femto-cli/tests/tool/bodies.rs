@@ -125,6 +125,65 @@ fn bodies_of_several_materials_and_with_fibres_touch() {
     assert!(rows.iter().any(|row| row[column("contacts")] > 5.0));
 }
 
+/// One cube is of clay; the other only breaks, and the ball and the box do neither.
+#[test]
+fn bodies_that_touch_yield_and_break_by_their_own_laws() {
+    let folder = Folder::new();
+    let laws = [
+        ("density = 1000.0", "plasticity = { yield_strain = 0.01 }"),
+        (
+            "density = 500.0",
+            "fracture = { strength = 4e3, per_step = 2 }",
+        ),
+    ];
+    let mut scene = CROWD.to_string();
+    for (key, law) in laws {
+        scene = scene.replace(key, &format!("{key}\n{law}"));
+    }
+    folder.run(&scene, &["--frames", "2"]).succeeds();
+    let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+    let damage = &report["damage"];
+    assert!(damage["dissipated_joules"].as_f64() > Some(0.1), "{damage}");
+    let broken = damage["broken_tets"].as_u64().expect("a count");
+    assert!(
+        broken > 0 && damage["reserve_left"].as_u64() == Some(48 - broken),
+        "{damage}"
+    );
+    let (head, rows) = table(&folder.read("out/trace.csv"));
+    let column = |name: &str| head.iter().position(|h| h == name).expect("a column");
+    let last = rows.last().expect("steps");
+    assert!((last[column("px")] - 4.0).abs() < 1e-4 && (last[column("py")] + 4.0).abs() < 1e-4);
+    // Failed tets are left out of the frame, all of them the second cube's; strain is the first's alone.
+    let frame = folder.read("out/frames/frame-00001.vtu");
+    assert!(frame.contains(&format!("NumberOfCells=\"{}\"", 230 - broken)));
+    let list = |name: &str| -> Vec<f64> {
+        let (_, rest) = frame
+            .split_once(&format!("Name=\"{name}\""))
+            .expect("an array");
+        let (_, rest) = rest.split_once('>').expect("its head");
+        let (numbers, _) = rest.split_once('<').expect("its end");
+        let words = numbers.split_whitespace();
+        words.map(|x| x.parse().expect("a number")).collect()
+    };
+    let (strain, body) = (list("plastic_strain"), list("body"));
+    assert!(
+        strain
+            .iter()
+            .zip(&body)
+            .any(|(p, b)| *b == 0.0 && *p > 0.005)
+    );
+    assert!(
+        strain
+            .iter()
+            .zip(&body)
+            .all(|(p, b)| *b == 0.0 || *p == 0.0)
+    );
+    assert_eq!(
+        body.iter().filter(|b| **b == 1.0).count() as u64,
+        48 - broken
+    );
+}
+
 #[test]
 fn edges_touch_where_the_scene_says_so() {
     let folder = Folder::new();
@@ -192,7 +251,7 @@ const ROWS: &[(&str, &str, &str)] = &[
     ("stiffness = 300.0", "stiffness = 0", "spring[0].stiffness = 0.0: must be above 0"),
     ("damping = 5.0", "damping = -5.0", "spring[0].damping = -5.0: must not be negative"),
     ("target = [0.1, 0.6, 0.1]", "target = [0.1, inf, 0.1]", "spring[0].target = [0.1, inf, 0.1]: must be finite"),
-    ("density = 500.0", "density = 500.0\nplasticity = { yield_strain = 0.05, limit = 0.3 }", "body[1]: bodies that touch or are joined cannot yield or break"),
+    ("density = 500.0", "density = 500.0\nplasticity = { yield_strain = -0.05 }", "body[1].plasticity.yield_strain = -0.05: must not be negative"),
     ("[[attachment]]", "[[attachment]]\ndamping = 1.0", "attachment[0].damping = 1.0: needs a stiffness"),
 ];
 

@@ -1,10 +1,12 @@
-//! Steps to be counted by the plugin: `cost prove`, `cost measure` or `cost cube`; see [`femto_cases::cost`].
+//! Steps to be counted by the plugin: `cost prove` and others; see [`femto_cases::cost`].
 #![no_std]
 #![no_main]
 
 use core::hint::black_box;
 
 use femto_cases::cost::{Counter, Room, cube, measure, prove};
+#[cfg(feature = "contact")]
+use femto_cases::cost::coupled;
 use femto_firmware::{Once, entry, report_panics};
 use semihosting::{experimental::env, print, process};
 
@@ -42,6 +44,10 @@ fn main() -> ! {
         Some("prove") => prove(room, &mut counter),
         Some("measure") => measure(room, &mut counter),
         Some("cube") => cube(room, &mut counter),
+        #[cfg(feature = "contact")]
+        Some("prove-coupled") => coupled::prove(room, &mut counter),
+        #[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+        Some("measure-more") => femto_cases::cost::measure_more(room, &mut counter),
         _ => process::exit(2),
     };
     process::exit(i32::from(outcome.is_err()))
