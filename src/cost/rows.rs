@@ -6,7 +6,7 @@ use crate::settings::{Budget, Start};
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; then what the crate's features add, each beside the
 /// rows before; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 86] = [
+pub const ROWS: [(&str, [bool; SIZES]); 87] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -79,6 +79,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 86] = [
     ("couplings: a rigid body and collider", ONCE),
     ("couplings: an iteration", NODES),
     ("couplings: an iteration with a factor", NODES),
+    ("couplings: an iteration with half a factor", FACTOR),
     ("couplings: a slot", ONCE),
     ("couplings: a slot beside rigid bodies", ONCE),
     ("couplings: a slot, an application", ONCE),
@@ -192,7 +193,7 @@ fn inelastic(load: &Load) -> [u64; 8] {
 }
 
 /// Bodies in one system.
-fn couplings(load: &Load, budget: Budget) -> [u64; 21] {
+fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
     let coupled = u64::from(load.coupled.parts() > 0);
     let (k, w) = (u64::from(budget.iterations), load.start.vectors() as u64);
     let (k, w) = (coupled * k, coupled * w);
@@ -211,6 +212,7 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 21] {
         load.preconditioner,
         Kind::Warped | Kind::WarpedHalf | Kind::Laplacian | Kind::LaplacianHalf
     );
+    let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
     let projections = 2 + applications + k + w + sizes;
     let free = u64::from(load.start.is_augmented());
@@ -223,6 +225,7 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 21] {
         rigids.saturating_mul(load.colliders as u64),
         k,
         u64::from(factored) * k,
+        u64::from(halved) * k,
         slots - links.min(slots),
         (slots - links.min(slots)) * beside,
         slots.saturating_mul(applications),
@@ -241,4 +244,4 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 21] {
 }
 
 // Names, kinds and rows are in one order.
-const _: () = assert!(MORE + 8 + 21 == ROWS.len());
+const _: () = assert!(MORE + 8 + 22 == ROWS.len());
