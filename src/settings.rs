@@ -246,8 +246,8 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// With a guard over contact's energy, for two more products with A and a pass for the forces in scenes with
-    /// colliders.
+    /// With a guard over contact's energy, for one more product with A and pass for the forces in scenes with
+    /// colliders ([`Budget::cost`] does not have them).
     ///
     /// A node that a solve moves into a surface is put back on it. That strains the body; if it is stiff (h²E/(ρ·dx²)
     /// above 10), by more energy than it brought. With the guard, a step that would end with more energy than it
