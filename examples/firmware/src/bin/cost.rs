@@ -4,9 +4,9 @@
 
 use core::hint::black_box;
 
-use femto_cases::cost::{Counter, Room, cube, measure, prove};
 #[cfg(feature = "contact")]
 use femto_cases::cost::coupled;
+use femto_cases::cost::{Counter, Room, cube, measure, prove};
 use femto_firmware::{Once, entry, report_panics};
 use semihosting::{experimental::env, print, process};
 
