@@ -34,7 +34,7 @@ impl Meshes for BuiltIn {
 
 /// What the scene could be solved with instead, in about the same time: a factor, and iterations.
 const INSTEAD: [(Kind, &str, u32); 2] = [
-    (Kind::Laplacian, "laplacian", 5),
+    (Kind::Laplacian, "laplacian", 3),
     (Kind::Warped, "warped", 2),
 ];
 
