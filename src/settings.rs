@@ -255,7 +255,7 @@ impl<'a> Settings<'a> {
     /// displacements and velocities instead, so that E does not rise by more than a body gains that falls from rest
     /// for one step, ½m(gh)²: at every stiffness, start, preconditioner and number of iterations, to rounding. (Without
     /// that much, a body could hang where every move costs energy. Where a surface bends, a node that ends inside after
-    /// all is put back once more; up to twice as much was measured there.)
+    /// all is put back once more; the tests allow twice as much there.)
     ///
     /// It acts where θ = 1, and nothing moves by itself: pins held, colliders at rest. Coupled steps don't have it.
     #[cfg(feature = "energy-guard")]
