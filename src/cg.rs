@@ -11,20 +11,29 @@
 //! is the usual (r·z)/(p·Ap), in f32 it cannot raise the error where the projection has turned p
 //! into noise.
 
-use crate::math::{ratio_or_zero, select};
+use crate::element::Sym3;
+use crate::math::{Mask, ratio_or_zero, select};
 use crate::space::{NOTHING, Space, Translate};
-use crate::vector::{advance, dot, scale_and_add};
+use crate::vector::{advance, keep_or_take, scale_and_add, scale_or_clear};
 
 /// What the solver knows of the system.
 pub(crate) trait System {
     /// `out` = A u
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]);
-    /// `q` = P q, where A p would leave what drowns P r.
-    fn confine(&self, q: &mut [[f32; 3]]);
     /// `z` = P B P r, symmetric and positive semidefinite
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]);
+    /// u · P r, for u in the range of P.
+    fn dot(&self, u: &[[f32; 3]], r: &[[f32; 3]]) -> f32;
     /// Square of the norm that tells a residual from rounding, given rᵀPBPr.
     fn size(&self, r: &[[f32; 3]], rz: f32) -> f32;
+    /// P
+    fn filter(&self) -> &[Sym3<f32>];
+    /// Whether surfaces may change P during the solve.
+    fn touches(&self) -> bool;
+    /// Widens P where a surface would pull, given the whole residual r. Returns whether it did.
+    fn release(&mut self, r: &[[f32; 3]]) -> bool;
+    /// Narrows P where `v` enters a surface, and writes to `g` what `v` lacks. Returns whether it did.
+    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]]) -> bool;
 }
 
 /// Residuals below this part (squared) of the right-hand side are rounding: (2⁻²²)², two bits
@@ -33,9 +42,14 @@ const ROUNDING: f32 = 1.0 / (1_u64 << 44) as f32;
 
 /// Runs exactly `iterations` iterations from the iterate `v` with residual `r` ⟂ W; `p` and `q` are
 /// scratch. `rhs_size` is [`System::size`] of b. Returns after how many iterations the update froze.
+///
+/// Where there are surfaces, it is one iteration more, and from the middle on, what pulls is let go. In the middle, what `v` moves
+/// into a surface is taken in: if there is something, that iteration brings it back instead, W is given up, and the
+/// search begins anew. That is an active-set method with a fixed number of products (for its exact kin see Dostál and
+/// Schöberl 2005).
 pub(crate) fn solve(
-    system: &impl System,
-    space: &Space<'_, impl Translate>,
+    system: &mut impl System,
+    space: &mut Space<'_, impl Translate>,
     iterations: u32,
     rhs_size: f32,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
@@ -44,23 +58,44 @@ pub(crate) fn solve(
         let relative = ROUNDING * rhs_size;
         select(relative > NOTHING, relative, NOTHING)
     };
+    let (products, middle) = if system.touches() && iterations > 0 {
+        let products = iterations.saturating_add(1);
+        // Not before two iterations: decisions need an iterate that means something.
+        (products, (products / 2).max(iterations.min(2)))
+    } else {
+        (iterations, u32::MAX)
+    };
     let (mut live, mut updates, mut previous) = (true, 0, 0.0);
     p.fill([0.0; 3]);
-    for _ in 0..iterations {
+    for k in 0..products {
+        let (mut released, mut entered) = (false, false);
+        if k >= middle {
+            released = system.release(r);
+        }
+        if k == middle {
+            entered = system.enter(v, q);
+            let stays = Mask::of(!entered);
+            keep_or_take(p, stays, q);
+            space.hold(system.filter(), stays);
+        }
         system.precondition(r, q); // z
         space.orthogonalise(q);
-        let rz = dot(r, q);
-        live &= system.size(r, rz) > floor;
+        let rz = system.dot(q, r);
+        live = ((live | released) & (system.size(r, rz) > floor)) | entered;
         updates += u32::from(live);
-        // The first iteration has no previous square: β = 0.
+        // No previous square, as in the first iteration: β = 0. (To the last direction nothing needs to be conjugate.)
+        previous = select(released & (k < iterations), 0.0, previous);
         let beta = ratio_or_zero(rz, previous, 0.0);
-        previous = select(live, rz, 0.0);
-        scale_and_add(p, beta, q);
+        previous = select(live & !entered, rz, 0.0);
+        if k == middle {
+            // p stays what brings back.
+            scale_or_clear(q, 1.0, Mask::of(!entered));
+        }
+        scale_and_add(p, select(entered, 1.0, beta), q);
         system.apply(p, q);
-        system.confine(q);
-        let (rp, pap) = (dot(r, p), dot(p, q));
+        let (rp, pap) = (system.dot(p, r), system.dot(p, q));
         let alpha = select(live, ratio_or_zero(rp, pap, 0.0), 0.0);
-        advance(v, r, alpha, p, q);
+        advance(v, r, select(entered, 1.0, alpha), p, q);
     }
     updates
 }

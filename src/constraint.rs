@@ -118,6 +118,8 @@ pub(crate) struct Decisions<'a> {
     pub targets: &'a mut [[f32; 3]],
     /// c_gap for τ = 1, m/s
     pub gaps: &'a mut [[f32; 3]],
+    /// Σ n of the colliders in contact
+    pub normals: &'a mut [[f32; 3]],
 }
 
 /// Decides who is in contact and who slides. Returns the number of contacts. Without colliders nothing
@@ -144,8 +146,9 @@ pub(crate) fn touch(
         .filter
         .iter_mut()
         .zip(&mut *out.targets)
-        .zip(&mut *out.gaps);
-    for ((((mass, x), v), ((rhs, diagonal), inertia)), ((p, c), gap)) in
+        .zip(&mut *out.gaps)
+        .zip(&mut *out.normals);
+    for ((((mass, x), v), ((rhs, diagonal), inertia)), (((p, c), gap), normal)) in
         body.zip(system).zip(constraint)
     {
         let (x, v) = (Vec3::from_array(*x), Vec3::from_array(*v));
@@ -153,6 +156,7 @@ pub(crate) fn touch(
         let push = Vec3::from_array(*rhs) - v * (mass / step.mass_unit * per_unit); // h f
         let w = v + push * (step.velocity_unit / a);
         *gap = [0.0; 3];
+        *normal = [0.0; 3];
         for collider in colliders {
             let surface = collider.over(x, step.dt);
             let (d, n) = (surface.distance, surface.normal);
@@ -166,12 +170,10 @@ pub(crate) fn touch(
             let active = (meets | (keep > 0.0)) & (share > 1e-3);
             contacts += u32::from(active);
             let open = select(d > 0.0, -(d * per_dt), 0.0);
+            *normal = select3(active, (Vec3::from_array(*normal) + n).to_array(), *normal);
             target(active, c, &free, share, n, s.dot(n));
             target(active, gap, &free, share, n, open);
-            let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
-            for (entry, product) in p.iter_mut().zip(outer(&free)) {
-                *entry -= inverse * product;
-            }
+            hold(active, p, &free, share);
 
             let slip = sym_mul(p, &(w - before).to_array()); // w_t − s⁻_t
             let speed = sqrt(slip[0] * slip[0] + slip[1] * slip[1] + slip[2] * slip[2]);
@@ -200,6 +202,64 @@ pub(crate) fn touch(
     contacts
 }
 
+/// Takes in the free nodes that `v` (over the velocity unit) moves into a surface, without friction, and writes to `g` what
+/// brings to the surface whoever would be inside. Returns whether there were any to take in.
+pub(crate) fn enter(
+    colliders: &[Collider<'_>],
+    step: &ContactStep<'_>,
+    v: &[[f32; 3]],
+    filter: &mut [Sym3<f32>],
+    normals: &mut [[f32; 3]],
+    g: &mut [[f32; 3]],
+) -> bool {
+    let mut some = false;
+    let per_step = 1.0 / (step.dt * step.velocity_unit);
+    let nodes = step.x.iter().zip(v).zip(filter).zip(normals).zip(g);
+    for ((((x, v), p), normal), g) in nodes {
+        let travel = Vec3::from_array(*v) * (step.velocity_unit * step.dt);
+        let mut at = Vec3::from_array(*x) + travel;
+        let mut out = Vec3::ZERO;
+        for collider in colliders {
+            let near = collider.near_after(at, step.dt);
+            let n = near.normal;
+            let free = sym_mul(p, &n.to_array());
+            let share = n.dot(Vec3::from_array(free));
+            let inside = near.distance < 0.0;
+            let enters = inside & (share > 1e-3);
+            let pinned = (share <= 1e-3) & (Vec3::from_array(*normal) == Vec3::ZERO);
+            let way = near.way_out * select(inside & !pinned, -near.distance, 0.0);
+            (at, out) = (at + way, out + way);
+            hold(enters, p, &free, share);
+            *normal = select3(enters, (Vec3::from_array(*normal) + n).to_array(), *normal);
+            some |= enters;
+        }
+        *g = (out * per_step).to_array();
+    }
+    some
+}
+
+/// Nodes that surfaces hold.
+pub(crate) fn held(normals: &[[f32; 3]]) -> u32 {
+    let holds = |n: &[f32; 3]| u32::from(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > 0.0);
+    normals.iter().map(holds).sum()
+}
+
+/// Releases the nodes that contact would pull: −(1 − P) r is its impulse. Returns whether there were any. Where several
+/// surfaces hold a node, it is released by all, if their sum pulls.
+pub(crate) fn release(r: &[[f32; 3]], filter: &mut [Sym3<f32>], normals: &mut [[f32; 3]]) -> bool {
+    let mut some = false;
+    for ((r, p), n) in r.iter().zip(filter).zip(normals) {
+        let pulls = n[0] * r[0] + n[1] * r[1] + n[2] * r[2] > 0.0;
+        let holds = Mask::of(!pulls);
+        for (entry, free) in p.iter_mut().zip(FREE) {
+            *entry = holds.pick(*entry, free);
+        }
+        *n = n.map(|n| holds.keep(n));
+        some |= pulls;
+    }
+    some
+}
+
 /// If `active`: c·n = speed from now on, along `free` = P n (n·P n = `share`).
 #[inline]
 fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, speed: f32) {
@@ -209,6 +269,15 @@ fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, 
         0.0,
     );
     *c = core::array::from_fn(|axis| c[axis] + missing * free[axis]);
+}
+
+/// If `active`: P n = 0 from now on, given `free` = P n (n·P n = `share`).
+#[inline]
+fn hold(active: bool, p: &mut Sym3<f32>, free: &[f32; 3], share: f32) {
+    let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
+    for (entry, product) in p.iter_mut().zip(outer(free)) {
+        *entry -= inverse * product;
+    }
 }
 
 /// u uᵀ

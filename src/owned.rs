@@ -178,6 +178,7 @@ impl OwnedState {
 pub struct OwnedWorkspace<L: Layout = Factored> {
     rotated: Vec<L::Rotated>,
     filter: Vec<Sym3<f32>>,
+    normals: Vec<[f32; 3]>,
     blocks: Vec<Sym3<f32>>,
     inertia: Vec<f32>,
     fans: Vec<u32>,
@@ -197,6 +198,7 @@ impl<L: Layout> OwnedWorkspace<L> {
         Self {
             rotated: vec![L::ZERO_ROTATED; rest.blocks.len()],
             filter: vec![[0.0; 6]; nodes],
+            normals: vec![[0.0; 3]; nodes],
             blocks: vec![[0.0; 6]; nodes],
             inertia: vec![0.0; nodes],
             fans: vec![0; rest.blocks.len()],
@@ -218,6 +220,7 @@ impl<L: Layout> OwnedWorkspace<L> {
         WorkspaceMut {
             rotated: &mut self.rotated,
             filter: &mut self.filter,
+            normals: &mut self.normals,
             blocks: &mut self.blocks,
             inertia: &mut self.inertia,
             fans: &mut self.fans,

@@ -13,6 +13,8 @@ use crate::vector::{add_scaled, advance, dot, momentum, scale_or_clear, sym_mul}
 
 /// Translations in W, of what nothing holds.
 pub(crate) trait Translate {
+    /// Takes those out of W that P does not leave; where nothing has changed, says `stays`.
+    fn hold(&mut self, filter: &[Sym3<f32>], stays: Mask);
     /// Takes the mean motion out of `z`.
     fn remove(&self, z: &mut [[f32; 3]]);
     /// Galerkin over the translations: v += t (t·r)/(t·At), r −= At (t·r)/(t·At).
@@ -46,6 +48,10 @@ impl Translations<'_> {
 }
 
 impl Translate for Translations<'_> {
+    fn hold(&mut self, _: &[Sym3<f32>], stays: Mask) {
+        self.per_mass = stays.keep(self.per_mass);
+    }
+
     #[inline(never)]
     fn remove(&self, z: &mut [[f32; 3]]) {
         let mean = self.mean(z);
@@ -165,13 +171,12 @@ impl<T: Translate> Space<'_, T> {
     }
 
     /// Galerkin over W: v += w (w·r), r −= Aw (w·r).
-    pub fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
+    pub fn project(&self, system: &impl System, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
         if let Some(translations) = &self.translations {
             translations.project(v, r);
         }
         for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
-            let c = dot(w, r);
-            advance(v, r, c, w, aw);
+            advance(v, r, system.dot(w, r), w, aw);
         }
     }
 
@@ -192,6 +197,15 @@ impl<T: Translate> Space<'_, T> {
         let tau = ratio_or_zero(dot(g, r), dot(g, ag), 0.0);
         let tau = select(tau > 0.0, select(tau < 1.0, tau, 1.0), 0.0);
         advance(v, r, tau, g, ag);
+    }
+
+    /// P has changed unless it `stays`: empties what was stored, and takes out the translations that P no longer leaves.
+    pub fn hold(&mut self, filter: &[Sym3<f32>], stays: Mask) {
+        if let Some(translations) = &mut self.translations {
+            translations.hold(filter, stays);
+        }
+        scale_or_clear(self.vectors, 1.0, stays);
+        scale_or_clear(self.products, 1.0, stays);
     }
 
     /// Makes `z` A-orthogonal to W.

@@ -93,6 +93,14 @@ pub(crate) fn scale_or_clear(y: &mut [[f32; 3]], a: f32, usable: Mask) {
     }
 }
 
+/// y = x, unless y is to `stay`
+#[inline(never)]
+pub(crate) fn keep_or_take(y: &mut [[f32; 3]], stay: Mask, x: &[[f32; 3]]) {
+    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
+        *y = stay.pick(*y, *x);
+    }
+}
+
 /// S v
 #[inline]
 #[must_use]

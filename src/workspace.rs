@@ -8,6 +8,7 @@ use crate::rest::Rest;
 pub struct WorkspaceMut<'a, L: Layout = Factored> {
     pub(crate) rotated: &'a mut [L::Rotated],
     pub(crate) filter: &'a mut [Sym3<f32>],
+    pub(crate) normals: &'a mut [[f32; 3]],
     pub(crate) blocks: &'a mut [Sym3<f32>],
     pub(crate) inertia: &'a mut [f32],
     pub(crate) fans: &'a mut [u32],
@@ -36,11 +37,12 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
         let (filter, blocks) = (take(&mut left, nodes), take(&mut left, nodes));
         let inertia = take::<1>(&mut left, nodes).as_flattened_mut();
         let fans = take::<1>(&mut left, rest.blocks.len()).as_flattened_mut();
-        let [v, r, p, q] = core::array::from_fn(|_| take(&mut left, nodes));
+        let [normals, v, r, p, q] = core::array::from_fn(|_| take(&mut left, nodes));
         let [vectors, products] = core::array::from_fn(|_| take(&mut left, length));
         Self {
             rotated,
             filter,
+            normals,
             blocks,
             inertia,
             fans: bytemuck::try_cast_slice_mut(fans).unwrap_or_default(),
@@ -71,6 +73,7 @@ impl<L: Layout> WorkspaceMut<'_, L> {
         Self {
             rotated: self.rotated.get_mut(..blocks).unwrap_or_default(),
             filter: self.filter.get_mut(..nodes).unwrap_or_default(),
+            normals: self.normals.get_mut(..nodes).unwrap_or_default(),
             blocks: self.blocks.get_mut(..nodes).unwrap_or_default(),
             inertia: self.inertia.get_mut(..nodes).unwrap_or_default(),
             fans: self.fans.get_mut(..blocks).unwrap_or_default(),
@@ -88,7 +91,7 @@ impl<L: Layout> WorkspaceMut<'_, L> {
 /// Numbers of a workspace besides the rotated stiffness, with so many stored vectors of W.
 #[must_use]
 pub const fn workspace_numbers(nodes: usize, blocks: usize, vectors: usize) -> usize {
-    nodes * (3 * (4 + 2 * vectors) + 2 * 6 + 1) + blocks
+    nodes * (3 * (5 + 2 * vectors) + 2 * 6 + 1) + blocks
 }
 
 /// Bytes of workspace, with so many stored vectors of W ([`Start::vectors`](crate::settings::Start::vectors));
@@ -113,7 +116,7 @@ pub struct Workspace<
     blocks: [Sym3<f32>; NODES],
     inertia: [f32; NODES],
     fans: [u32; BLOCKS],
-    vectors: [[[f32; 3]; NODES]; 4],
+    vectors: [[[f32; 3]; NODES]; 5],
     space: [[[f32; 3]; NODES]; VECTORS],
     products: [[[f32; 3]; NODES]; VECTORS],
     coarse: [f32; COARSE],
@@ -131,7 +134,7 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, c
             blocks: [[0.0; 6]; NODES],
             inertia: [0.0; NODES],
             fans: [0; BLOCKS],
-            vectors: [[[0.0; 3]; NODES]; 4],
+            vectors: [[[0.0; 3]; NODES]; 5],
             space: [[[0.0; 3]; NODES]; VECTORS],
             products: [[[0.0; 3]; NODES]; VECTORS],
             coarse: [0.0; COARSE],
@@ -143,10 +146,11 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, c
     #[must_use]
     pub fn view_mut(&mut self, rest: &Rest<'_, L>) -> WorkspaceMut<'_, L> {
         let (nodes, blocks) = (rest.nodes.len(), rest.blocks.len());
-        let [v, r, p, q] = &mut self.vectors;
+        let [normals, v, r, p, q] = &mut self.vectors;
         WorkspaceMut {
             rotated: &mut self.rotated,
             filter: &mut self.filter,
+            normals,
             blocks: &mut self.blocks,
             inertia: &mut self.inertia,
             fans: &mut self.fans,

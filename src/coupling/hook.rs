@@ -71,10 +71,12 @@ pub(crate) trait Couple {
     /// Finds and decides. `kept` is A v(t) (SI units but for A) and is overwritten.
     fn decide(&mut self, step: &CoupleStep<'_>, kept: &mut [[f32; 3]]);
     /// Of what nothing holds.
-    type Free<'a>: Translate + Copy
-    where
-        Self: 'a;
-    fn translations<'a>(&'a self, step: &FreeStep<'a>) -> Option<Self::Free<'a>>;
+    type Free<'a>: Translate;
+    fn translations<'a>(
+        &mut self,
+        step: &FreeStep<'a>,
+        filter: &[Sym3<f32>],
+    ) -> Option<Self::Free<'a>>;
     /// Adds to A's diagonal and to b.
     fn add_to(&self, blocks: &mut [Sym3<f32>], rhs: &mut [[f32; 3]]);
     /// `out` += W ᵀB W u
@@ -106,7 +108,11 @@ impl Couple for () {
     fn locate(&mut self, _: &[[f32; 3]]) {}
     fn decide(&mut self, _: &CoupleStep<'_>, _: &mut [[f32; 3]]) {}
     type Free<'a> = Translations<'a>;
-    fn translations<'a>(&'a self, step: &FreeStep<'a>) -> Option<Translations<'a>> {
+    fn translations<'a>(
+        &mut self,
+        step: &FreeStep<'a>,
+        _: &[Sym3<f32>],
+    ) -> Option<Translations<'a>> {
         (step.augmented && !step.pinned).then_some(Translations {
             masses: step.masses,
             mass_factor: step.mass_factor,

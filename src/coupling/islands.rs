@@ -30,8 +30,6 @@ struct Part {
     island: u32,
     /// 1 where something that does not move in the system holds it, else 0.
     held: u32,
-    /// 1 over the mass of its island where that is free, else 0, 1/kg
-    per_mass: f32,
 }
 
 /// The parts of a mesh, in the order of their nodes.
@@ -50,7 +48,6 @@ impl Islands {
             end,
             island,
             held: 0,
-            per_mass: 0.0,
         });
         Self {
             parts: parts.collect(),
@@ -95,9 +92,9 @@ impl Islands {
         }
     }
 
-    /// Holds the parts whose nodes touch or are pinned, and weighs the islands.
+    /// One over the mass of each part's island where nothing holds that, also no node that touches or is pinned; else 0. 1/kg
     #[inline(never)]
-    pub fn weigh(&mut self, masses: &[f32], filter: &[Sym3<f32>]) {
+    pub fn per_masses(&self, masses: &[f32], filter: &[Sym3<f32>]) -> [f32; MAX_PARTS] {
         let mut sums = [(0.0_f32, 0_u32); MAX_PARTS];
         let mut start = 0;
         for part in &self.parts {
@@ -117,14 +114,20 @@ impl Islands {
                 *held |= Mask::of(free).pick_u32(0, 1);
             }
         }
-        for part in self.parts.iter_mut() {
+        let mut out = [0.0; MAX_PARTS];
+        for (out, part) in out.iter_mut().zip(&self.parts) {
             let (mass, held) = sums.get(part.island as usize).copied().unwrap_or_default();
-            part.per_mass = select(held == 0, ratio_or_zero(1.0, mass, 0.0), 0.0);
+            *out = select(held == 0, ratio_or_zero(1.0, mass, 0.0), 0.0);
         }
+        out
     }
 
     /// Σ over each island of what `sum` makes of a part's nodes, times `per_mass`: one value a part.
-    fn means(&self, sum: impl Fn(core::ops::Range<usize>) -> [f32; 3]) -> [[f32; 3]; MAX_PARTS] {
+    fn means(
+        &self,
+        per_mass: &[f32; MAX_PARTS],
+        sum: impl Fn(core::ops::Range<usize>) -> [f32; 3],
+    ) -> [[f32; 3]; MAX_PARTS] {
         let mut sums = [[0.0_f32; 3]; MAX_PARTS];
         let mut start = 0;
         for part in &self.parts {
@@ -136,9 +139,9 @@ impl Islands {
             start = part.end;
         }
         let mut out = [[0.0_f32; 3]; MAX_PARTS];
-        for (out, part) in out.iter_mut().zip(&self.parts) {
+        for ((out, part), per_mass) in out.iter_mut().zip(&self.parts).zip(per_mass) {
             let sum = sums.get(part.island as usize).copied().unwrap_or_default();
-            *out = sum.map(|s| s * part.per_mass);
+            *out = sum.map(|s| s * per_mass);
         }
         out
     }
@@ -158,16 +161,25 @@ impl Islands {
 }
 
 /// The translations of all free islands.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub(crate) struct IslandTranslations<'a> {
-    pub islands: &'a Islands,
+    pub islands: Islands,
     pub masses: &'a [f32],
     pub mass_factor: f32,
+    /// 1 over the mass of a part's island where that is free, else 0, 1/kg
+    pub per_mass: [f32; MAX_PARTS],
 }
 
 impl Translate for IslandTranslations<'_> {
+    fn hold(&mut self, filter: &[Sym3<f32>], _: Mask) {
+        let now = self.islands.per_masses(self.masses, filter);
+        for (per_mass, now) in self.per_mass.iter_mut().zip(now) {
+            *per_mass = select(now > 0.0, *per_mass, 0.0);
+        }
+    }
+
     fn remove(&self, z: &mut [[f32; 3]]) {
-        let means = self.islands.means(|nodes| {
+        let means = self.islands.means(&self.per_mass, |nodes| {
             let masses = self.masses.get(nodes.clone()).unwrap_or_default();
             weighted(masses, z.get(nodes).unwrap_or_default())
         });
@@ -181,7 +193,7 @@ impl Translate for IslandTranslations<'_> {
     }
 
     fn project(&self, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
-        let means = self.islands.means(|nodes| {
+        let means = self.islands.means(&self.per_mass, |nodes| {
             let mut sum = [0.0_f32; 3];
             for r in r.get(nodes).unwrap_or_default() {
                 for axis in 0..3 {
@@ -209,7 +221,7 @@ impl Translate for IslandTranslations<'_> {
     ) {
         let (h, alpha) = (units.dt, rest.header.alpha);
         let gravity = scene.gravity.to_array();
-        let missing = self.islands.means(|nodes| {
+        let missing = self.islands.means(&self.per_mass, |nodes| {
             let masses = rest.masses.get(nodes.clone()).unwrap_or_default();
             let past = momentum(masses, before.get(nodes.clone()).unwrap_or_default());
             let now = momentum(masses, v.get(nodes.clone()).unwrap_or_default());

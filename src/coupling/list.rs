@@ -218,17 +218,18 @@ impl Couple for Couplings<'_> {
         let dropped = found.dropped();
         let active = decide_all(contacts, &mut prediction, &mut self.islands);
         self.counts = Counts { active, dropped };
-        self.islands.weigh(step.masses, step.filter);
     }
 
-    type Free<'b>
-        = IslandTranslations<'b>
-    where
-        Self: 'b;
+    type Free<'b> = IslandTranslations<'b>;
 
-    fn translations<'b>(&'b self, step: &FreeStep<'b>) -> Option<IslandTranslations<'b>> {
-        step.augmented.then_some(IslandTranslations {
-            islands: &self.islands,
+    fn translations<'b>(
+        &mut self,
+        step: &FreeStep<'b>,
+        filter: &[Sym3<f32>],
+    ) -> Option<IslandTranslations<'b>> {
+        step.augmented.then(|| IslandTranslations {
+            per_mass: self.islands.per_masses(step.masses, filter),
+            islands: core::mem::take(&mut self.islands),
             masses: step.masses,
             mass_factor: step.mass_factor,
         })

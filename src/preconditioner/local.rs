@@ -18,9 +18,9 @@ pub(super) enum Local {
 }
 
 impl Local {
-    /// Writes P_i B_i P_i for every node, over the diagonal blocks of A.
-    pub fn prepare(self, inertia: &[f32], filter: &[Sym3<f32>], blocks: &mut [Sym3<f32>]) {
-        for ((block, p), m) in blocks.iter_mut().zip(filter).zip(inertia) {
+    /// Writes P_i B_i P_i for every node (B_i without a filter), over the diagonal blocks of A.
+    pub fn prepare(self, inertia: &[f32], filter: Option<&[Sym3<f32>]>, blocks: &mut [Sym3<f32>]) {
+        for (i, (block, m)) in blocks.iter_mut().zip(inertia).enumerate() {
             let diagonal = |x: f32, y: f32, z: f32| [x, 0.0, 0.0, y, 0.0, z];
             let local = match self {
                 Self::Identity => diagonal(1.0, 1.0, 1.0),
@@ -38,7 +38,10 @@ impl Local {
                     }
                 }
             };
-            *block = sandwich(p, &local);
+            *block = match filter.and_then(|f| f.get(i)) {
+                Some(p) => sandwich(p, &local),
+                None => local,
+            };
         }
     }
 }

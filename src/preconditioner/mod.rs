@@ -81,7 +81,8 @@ impl<'a> Preconditioner<'a> {
         operator: &Operator<'_, L>,
         x: &'a [[f32; 3]],
         rotations: &[RotationBlock],
-        filter: &'a [Sym3<f32>],
+        filter: &[Sym3<f32>],
+        touches: bool,
         room: Room<'a>,
         scratch: &mut [[f32; 3]],
     ) -> Prepared<'a> {
@@ -100,13 +101,13 @@ impl<'a> Preconditioner<'a> {
             }
             _ => {
                 if let Some(local) = self.local() {
-                    local.prepare(operator.inertia, filter, blocks);
+                    local.prepare(operator.inertia, (!touches).then_some(filter), blocks);
                 }
             }
         }
         Prepared {
             preconditioner: self,
-            filter,
+            touches,
             blocks,
             coarse,
         }
@@ -126,32 +127,32 @@ pub struct Room<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a> {
     preconditioner: Preconditioner<'a>,
-    filter: &'a [Sym3<f32>],
-    /// P B P of a local one, the rows of the nodes' rotations of a warped one.
+    touches: bool,
+    /// P B P of a local one (B where contacts may let go), the rows of the nodes' rotations of a warped one.
     blocks: &'a [Sym3<f32>],
     coarse: Option<Coarse<'a>>,
 }
 
-impl<'a> Prepared<'a> {
+impl Prepared<'_> {
     /// `z` = P B P r. Inlined, so that firmware whose choice is a constant links no other.
     #[inline(always)]
-    pub fn apply(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
+    pub fn apply(&self, filter: &[Sym3<f32>], r: &[[f32; 3]], z: &mut [[f32; 3]]) {
         match self.preconditioner {
             Preconditioner::Factored(factor) if cfg!(feature = "factored") => {
-                solve(factor, self.filter, self.blocks, r, z);
+                solve(factor, filter, self.blocks, r, z);
+            }
+            _ if self.touches => {
+                for (((z, r), p), block) in z.iter_mut().zip(r).zip(filter).zip(self.blocks) {
+                    *z = sym_mul(p, &sym_mul(block, &sym_mul(p, r)));
+                }
             }
             _ => multiply_blocks(z, self.blocks, r),
         }
         if let Some(coarse) = &self.coarse
             && cfg!(feature = "two-level")
         {
-            coarse.add(self.filter, r, z);
+            coarse.add(filter, r, z);
         }
-    }
-
-    /// P
-    pub(crate) fn filter(&self) -> &'a [Sym3<f32>] {
-        self.filter
     }
 
     /// Whether an application costs little beside one of A (two-level: a half at most, from 3 k tetrahedra on).

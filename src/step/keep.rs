@@ -5,12 +5,11 @@ use crate::body::StateMut;
 use crate::constraint::land;
 use crate::coupling::hook::Couple;
 use crate::element::Sym3;
-use crate::math::select3;
 use crate::rest::Points;
 use crate::scene::Scene;
 use crate::vector::{copy, sym_mul};
 
-/// v⁺ in m/s, and x⁺ from it; only a `share` of both, if any. Returns the first node that is not finite.
+/// v⁺ in m/s, and x⁺ from it. Returns the first node that is not finite.
 #[expect(clippy::too_many_arguments, reason = "all that a step ends with")]
 pub(super) fn advance<C: Couple>(
     rest: Points<'_>,
@@ -18,7 +17,6 @@ pub(super) fn advance<C: Couple>(
     scene: &Scene<'_>,
     units: &Units,
     filter: &[Sym3<f32>],
-    share: Option<f32>,
     couplings: &mut C,
     [x_new, v_new]: [&mut [[f32; 3]]; 2],
 ) -> Option<u32> {
@@ -33,12 +31,6 @@ pub(super) fn advance<C: Couple>(
         *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
         if !C::SOME || node < touched {
             land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
-            if let Some(share) = share {
-                let part = core::array::from_fn(|a| x[a] + share * (x_new[a] - x[a]));
-                *x_new = select3(share < 1.0, part, *x_new);
-                *v_new = v_new.map(|v| v * share);
-                land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);
-            }
         }
     }
     couplings.place(h, units.impulse, units.velocity, x_new, v_new);

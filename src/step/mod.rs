@@ -22,20 +22,19 @@
 //! untouched without a copy of it.
 
 mod check;
-mod guard;
 mod keep;
 mod system;
 mod units;
 
 use crate::body::{StateMut, WorkspaceMut};
 use crate::cg::{self, System};
-use crate::constraint::{ContactStep, Decisions, pin, touch};
+use crate::constraint::{self, ContactStep, Decisions, pin, touch};
 use crate::coupling::hook::{Couple, CoupleStep, FreeStep};
 use crate::element::Layout;
 use crate::fan;
 use crate::inelastic;
 use crate::lane::Lanes;
-use crate::math::select;
+use crate::math::{Mask, ratio_or_zero, select};
 use crate::operator::{Fit, Operator, fit_rotations};
 use crate::preconditioner::Room;
 pub use crate::report::{Refusal, StepReport};
@@ -43,9 +42,9 @@ use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translate, fill_space};
-use crate::vector::{add_scaled, copy};
+use crate::vector::{add_scaled, advance, copy, dot};
 use check::check;
-use keep::{advance, commit};
+use keep::commit;
 use system::{Filtered, filtered_norm, search_along};
 pub(crate) use units::Units;
 use units::{add_explicit, add_free, external_impulses};
@@ -152,6 +151,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         filter: &mut *work.filter,
         targets: &mut *work.v,
         gaps: &mut *work.p,
+        normals: &mut *work.normals,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
     if C::SOME {
@@ -197,7 +197,8 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         inertia: &*work.inertia,
         stiffness,
     };
-    let system = Filtered::<L, R, C> {
+    let touches = !scene.colliders.is_empty();
+    let mut system = Filtered::<L, R, C> {
         operator: &operator,
         couplings,
         preconditioner: settings.preconditioner.prepare::<R, L>(
@@ -205,24 +206,28 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
             state.x,
             state.rotations,
             work.filter,
+            touches,
             Room {
                 blocks: &mut *work.blocks,
                 coarse: &mut *work.coarse,
             },
             work.q,
         ),
-        touches: !scene.colliders.is_empty(),
+        filter: &mut *work.filter,
+        colliders: scene.colliders,
+        contact: &contact,
+        normals: if touches { &mut *work.normals } else { &mut [] },
         lanes: core::marker::PhantomData,
     };
 
     // The start v₀ in place of its constrained part c; then the bracket, with c in v(t).
     if units.theta < 1.0 {
         copy(work.q, work.v);
-        add_free(state.v, work.filter, &units, work.q);
+        add_free(state.v, system.filter, &units, work.q);
     }
     match settings.start {
-        Start::Velocity => add_free(state.v, work.filter, &units, work.v),
-        Start::VelocityForce => add_explicit(rest.points(), work.r, work.filter, &units, work.v),
+        Start::Velocity => add_free(state.v, system.filter, &units, work.v),
+        Start::VelocityForce => add_explicit(rest.points(), work.r, system.filter, &units, work.v),
         Start::Zero | Start::Galerkin(_) | Start::Rigid(_) => {}
     }
     if units.theta < 1.0 {
@@ -236,7 +241,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         }
         .add_stiffness::<R>(work.q, work.r);
     }
-    let rhs = filtered_norm(work.filter, work.r);
+    let rhs = filtered_norm(system.filter, work.r);
     let mut rhs_size = system.size_of(work.r, work.q);
     let guessed = matches!(settings.start, Start::Velocity | Start::VelocityForce);
     if guessed || scene.moves() {
@@ -247,14 +252,15 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     }
 
     // W, and the Galerkin solution over it.
-    let translations = couplings.translations(&FreeStep {
+    let free = FreeStep {
         augmented: settings.start.is_augmented(),
         pinned: !scene.pins.is_empty(),
         touched: contacts > 0,
         masses: rest.masses,
         total_mass: rest.header.total_mass,
         mass_factor: mass,
-    });
+    };
+    let translations = system.couplings.translations(&free, system.filter);
     let stored = settings.start.vectors() * nodes;
     fill_space(
         rest.points(),
@@ -262,12 +268,12 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         scene,
         settings.start,
         &units,
-        work.filter,
+        system.filter,
         work.vectors,
     );
     if C::SOME {
         for w in work.vectors.chunks_exact_mut(nodes.max(1)) {
-            couplings.project(w);
+            system.couplings.project(w);
         }
     }
     let mut space = Space {
@@ -277,67 +283,54 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         translations,
     };
     space.orthonormalise(&system);
-    space.project(work.v, work.r);
-    if !scene.colliders.is_empty() {
+    space.project(&system, work.v, work.r);
+    if touches {
         system.apply(work.p, work.q);
         space.close_gap(work.v, work.r, work.p, work.q);
-        // From here on only P r counts.
-        system.confine(work.r);
     }
-    let residual_before = filtered_norm(work.filter, work.r);
+    let residual_before = filtered_norm(system.filter, work.r);
 
     let updates = cg::solve(
-        &system,
-        &space,
+        &mut system,
+        &mut space,
         settings.budget.iterations,
         rhs_size,
         [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
     );
-    space.project(work.v, work.r);
+    // What would pull now is let go: from here on it counts as residual.
+    system.release(work.r);
+    space.project(&system, work.v, work.r);
     if settings.start == Start::Zero {
         search_along(
             &system,
-            work.filter,
             [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
         );
     }
-    let residual_after = filtered_norm(work.filter, work.r);
+    let residual_after = filtered_norm(system.filter, work.r);
+    if settings.guards_energy() && touches && !C::SOME && units.theta == 1.0 && !scene.moves() {
+        // What the last iterations have moved in, with the energy that bringing it back takes.
+        let entered = system.enter(work.v, work.p);
+        space.hold(system.filter, Mask::of(!entered));
+        system.apply(work.p, work.q);
+        advance(work.v, work.r, 1.0, work.p, work.q);
+        copy(work.p, work.v);
+        system.apply(work.p, work.q);
+        let along = ratio_or_zero(dot(work.p, work.r), dot(work.p, work.q), 0.0);
+        let back = select(along > -1.0, along, -1.0);
+        let acts = (constraint::held(system.normals) > 0) & (along < 0.0);
+        add_scaled(work.v, select(acts, back, 0.0), work.p);
+    }
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.
     if let Some(translations) = space.translations {
         translations.restore(rest, state.v, scene, &units, work.v);
     }
-    let share = if settings.guards_energy() && !C::SOME && !scene.colliders.is_empty() {
-        let landed = guard::displacements(rest.points(), state, scene, &units, work.v, work.p);
-        system.apply(work.p, work.q);
-        // b, once more; the rotated stiffness gets the values that it has.
-        external_impulses(rest.points(), state, scene, &units, work.r);
-        inelastic::rotate_state::<R, L>(
-            rest,
-            state,
-            units.dt / units.impulse,
-            work.rotated,
-            work.r,
-        );
-        let share = guard::share(
-            rest.points(),
-            state,
-            scene,
-            &units,
-            [work.p, work.q, work.r],
-        );
-        let acts = (landed | (contacts > 0)) & !scene.moves() & (units.theta == 1.0);
-        Some(select(acts, share, 1.0))
-    } else {
-        None
-    };
-    let lost = advance(
+    let lost = keep::advance(
         rest.points(),
         state,
         scene,
         &units,
         work.filter,
-        share,
         couplings,
         [&mut *work.p, &mut *work.v],
     );

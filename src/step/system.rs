@@ -1,6 +1,8 @@
 //! The system of one step as the solver sees it, in the range of the filter P.
 
 use crate::cg::System;
+use crate::collider::Collider;
+use crate::constraint::{self, ContactStep};
 use crate::coupling::hook::Couple;
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
@@ -12,10 +14,14 @@ use crate::vector::{self, dot, sym_mul};
 /// The system as the solver sees it.
 pub(super) struct Filtered<'a, L: Layout, R, C> {
     pub operator: &'a Operator<'a, L>,
-    pub couplings: &'a C,
+    pub couplings: &'a mut C,
     pub preconditioner: Prepared<'a>,
-    /// Whether nodes may touch something.
-    pub touches: bool,
+    /// P
+    pub filter: &'a mut [Sym3<f32>],
+    pub colliders: &'a [Collider<'a>],
+    pub contact: &'a ContactStep<'a>,
+    /// Σ n of the colliders that hold a node; none where there are no colliders.
+    pub normals: &'a mut [[f32; 3]],
     pub lanes: core::marker::PhantomData<R>,
 }
 
@@ -25,26 +31,45 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
         self.couplings.apply(u, out);
         self.couplings.project(out);
     }
-    /// Impulses of contacts are of b's size, and a P whose normal is not along an axis lets a rounding of them
-    /// through. Pins have an exact P.
-    fn confine(&self, q: &mut [[f32; 3]]) {
-        if self.touches {
-            for (q, p) in q.iter_mut().zip(self.preconditioner.filter()) {
-                *q = sym_mul(p, q);
-            }
-        }
-    }
     #[inline(always)]
     fn precondition(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) {
-        self.preconditioner.apply(r, z);
+        self.preconditioner.apply(self.filter, r, z);
         self.couplings.project(z);
+    }
+    /// Impulses of contacts are of b's size, and a u whose normal is not along an axis lets a rounding of them
+    /// through. Pins have an exact P.
+    fn dot(&self, u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
+        if self.colliders.is_empty() {
+            dot(u, r)
+        } else {
+            filtered_dot(self.filter, u, r)
+        }
     }
     fn size(&self, r: &[[f32; 3]], rz: f32) -> f32 {
         if self.preconditioner.is_cheap() {
             rz
         } else {
-            filtered_square(self.preconditioner.filter(), r)
+            filtered_square(self.filter, r)
         }
+    }
+    fn filter(&self) -> &[Sym3<f32>] {
+        self.filter
+    }
+    fn touches(&self) -> bool {
+        !self.colliders.is_empty()
+    }
+    fn release(&mut self, r: &[[f32; 3]]) -> bool {
+        constraint::release(r, self.filter, self.normals)
+    }
+    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]]) -> bool {
+        constraint::enter(
+            self.colliders,
+            self.contact,
+            v,
+            self.filter,
+            self.normals,
+            g,
+        )
     }
 }
 
@@ -54,7 +79,7 @@ impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
     pub(super) fn size_of(&self, r: &[[f32; 3]], z: &mut [[f32; 3]]) -> f32 {
         let rz = if self.preconditioner.is_cheap() {
             self.precondition(r, z);
-            dot(r, z)
+            self.dot(z, r)
         } else {
             0.0
         };
@@ -78,17 +103,29 @@ pub(super) fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
     sum
 }
 
+/// u · P r
+#[inline(never)]
+fn filtered_dot(filter: &[Sym3<f32>], u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
+    let mut sums = [0.0_f32; 3];
+    for ((p, u), r) in filter.iter().zip(u).zip(r) {
+        let r = sym_mul(p, r);
+        for axis in 0..3 {
+            sums[axis] += u[axis] * r[axis];
+        }
+    }
+    sums[0] + sums[1] + sums[2]
+}
+
 /// Line search along the solution itself: P v ⟂ r, so that (8) of the front page holds from rest, too, where
 /// conjugate gradients in f32 have lost their directions' conjugacy. (A start with W has v(t) to hold on to.)
-pub(super) fn search_along(
-    system: &impl System,
-    filter: &[Sym3<f32>],
+pub(super) fn search_along<L: Layout, R: Lanes, C: Couple>(
+    system: &Filtered<'_, L, R, C>,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
 ) {
-    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(filter) {
+    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(&*system.filter) {
         *p = sym_mul(filter, v);
     }
     system.apply(p, q);
-    let (rp, pap) = (dot(r, p), dot(p, q));
+    let (rp, pap) = (system.dot(p, r), system.dot(p, q));
     vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
 }

@@ -98,12 +98,13 @@ impl<L: Layout> Case<L> {
             &self.setup.x,
             &self.rotations,
             &self.filter,
+            false,
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );
         let product = |r: &Vec<[f32; 3]>| {
             let mut z = vec![[f32::NAN; 3]; nodes];
-            prepared.apply(r, &mut z);
+            prepared.apply(&self.filter, r, &mut z);
             z
         };
         vectors.iter().map(product).collect()

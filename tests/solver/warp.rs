@@ -61,10 +61,11 @@ impl Placed {
             &self.setup.x,
             &self.rotations,
             &self.filter,
+            false,
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );
-        prepared.apply(r, &mut z);
+        prepared.apply(&self.filter, r, &mut z);
         z
     }
 }

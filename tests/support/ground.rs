@@ -76,18 +76,18 @@ impl Grounded {
             0.0
         };
 
-        let held = gap * tau;
-        let kept: Vec<usize> = (0..b.len()).filter(|&dof| !touches[dof]).collect();
-        let right = (&b - &A * &held).select_rows(&kept);
-        let inner = A.select_rows(&kept).select_columns(&kept);
-        let solution = inner
-            .cholesky()
-            .expect("A is positive definite")
-            .solve(&right);
-        let mut v = held;
-        for (&dof, value) in kept.iter().zip(&solution) {
-            v[dof] = *value;
+        // What pulls is let go, then what enters is taken in, and again.
+        let mut targets: Vec<Option<f64>> = (0..b.len())
+            .map(|dof| touches[dof].then_some(gap[dof] * tau))
+            .collect();
+        let mut v = solve_pushed(&A, &b, &mut targets);
+        for dof in (1..v.len()).step_by(3) {
+            let least = -body.x[dof] / h;
+            if targets[dof].is_none() && v[dof] < least {
+                targets[dof] = Some(least);
+            }
         }
+        v = solve_pushed(&A, &b, &mut targets);
         self.history.rotate_right(1);
         if let Some(latest) = self.history.first_mut() {
             *latest = self.body.v.clone();
@@ -115,8 +115,37 @@ impl Grounded {
         let (d, v, h) = (body.x[dof], body.v[dof], body.h);
         let w = v + (b[dof] - mass[dof] * v) / a;
         let approach = d + h * v;
-        let fall = approach + h * h * body.gravity[1];
-        let pressed = -(w + d / h) > 0.0 && (d <= self.margin || fall < 0.0);
+        let pressed = -(w + d / h) > 0.0;
         pressed || (d > self.margin && approach < 0.0)
+    }
+}
+
+/// A v = b with the targets given, but those that would pull: their impulse is A v − b.
+#[allow(non_snake_case)]
+fn solve_pushed(A: &DMatrix<f64>, b: &DVector<f64>, targets: &mut [Option<f64>]) -> DVector<f64> {
+    loop {
+        let kept: Vec<usize> = (0..b.len()).filter(|&dof| targets[dof].is_none()).collect();
+        let held = DVector::from_fn(b.len(), |dof, _| targets[dof].unwrap_or(0.0));
+        let right = (b - A * &held).select_rows(&kept);
+        let inner = A.select_rows(&kept).select_columns(&kept);
+        let solution = inner
+            .cholesky()
+            .expect("A is positive definite")
+            .solve(&right);
+        let mut v = held;
+        for (&dof, value) in kept.iter().zip(&solution) {
+            v[dof] = *value;
+        }
+        let impulse = A * &v - b;
+        let size = b.amax() * 1e-9;
+        let pulls: Vec<usize> = (0..b.len())
+            .filter(|&dof| targets[dof].is_some() && impulse[dof] < -size)
+            .collect();
+        if pulls.is_empty() {
+            return v;
+        }
+        for dof in pulls {
+            targets[dof] = None;
+        }
     }
 }
