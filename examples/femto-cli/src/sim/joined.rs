@@ -10,7 +10,8 @@ use femto::preconditioner::aggregate::{Aggregates, DEFAULT_AGGREGATES};
 use femto::settings::{LawRegions, Needs, Settings};
 use femto_bake::OwnedFactor;
 
-use super::{Body, Damage, Kind, own_settings};
+use super::body::{Body, Kind, own_settings, with};
+use super::values::Damage;
 use crate::coupled::{self, Joint};
 use crate::error::Error;
 use crate::loads::Acting;
