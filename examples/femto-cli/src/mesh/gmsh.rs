@@ -58,10 +58,15 @@ fn section(bytes: &[u8], tag: &str) -> Option<Range<usize>> {
 /// it has none, also when they are not in order. So the head of the nodes is made to say
 /// that the range is wide: then the tags are always there.
 ///
-/// Heads that say 0 nodes or 0 elements make it panic, and are refused here.
+/// Heads that say 0 nodes or 0 elements make it panic, and are refused here; so is a tag that stands twice, since `mshio`
+/// may begin at the other one.
 fn with_sparse_tags(bytes: &[u8]) -> Result<Vec<u8>, String> {
     for (tag, what) in [("$Nodes", "nodes"), ("$Elements", "elements")] {
         let head = section(bytes, tag).ok_or_else(|| format!("has no {what} ({tag})"))?;
+        let tags = bytes.windows(tag.len()).filter(|w| *w == tag.as_bytes());
+        if tags.count() > 1 {
+            return Err(format!("{tag} is given twice"));
+        }
         let text = String::from_utf8_lossy(&bytes[head]);
         match text.split_whitespace().nth(1).map(str::parse::<usize>) {
             Some(Ok(0)) => return Err(format!("has 0 {what}")),
@@ -295,6 +300,17 @@ mod tests {
             fails("0 1 0\n$End", "0 one 0\n$End"),
             "line 21: An invalid node definition was encountered (y coordinate)"
         );
+        // Not the section that is read, but the one that is found.
+        for (tag, head, none) in [
+            ("$Nodes", "2 5 1 5", "2 0 1 5"),
+            ("$Elements", "2 2 1 2", "2 0 1 2"),
+        ] {
+            let twice = format!("$Comments\n{tag}\n1 1 1 1\n$EndComments\n$PhysicalNames");
+            let file = FILE.replacen("$PhysicalNames", &twice, 1);
+            let file = file.replacen(head, none, 1);
+            let error = parse(file.as_bytes()).unwrap_err();
+            assert_eq!(error, format!("{tag} is given twice"));
+        }
         for end in 0..FILE.len() - 1 {
             let _ = parse(&FILE.as_bytes()[..end]);
         }
