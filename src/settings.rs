@@ -257,7 +257,8 @@ impl<'a> Settings<'a> {
     /// that much, a body could hang where every move costs energy. Where a surface bends, a node that ends inside after
     /// all is put back once more; the tests allow twice as much there.)
     ///
-    /// It acts where θ = 1, and nothing moves by itself: pins held, colliders at rest. Coupled steps don't have it.
+    /// It acts where a node touches or is put back, θ = 1, and nothing moves by itself: pins held, colliders at rest.
+    /// Coupled steps don't have it.
     #[cfg(feature = "energy-guard")]
     #[must_use]
     pub const fn with_energy_guard(self) -> Self {

@@ -3,6 +3,7 @@
 pub mod asset;
 mod bytes;
 pub mod coupled;
+mod guard;
 mod inputs;
 pub mod mesh;
 pub mod parts;

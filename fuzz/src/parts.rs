@@ -1,5 +1,5 @@
 //! A few steps of a small body with the newer parts: shapes that turn, loads, several materials, fibres, plastic flow,
-//! fracture, a factor or aggregates of its own.
+//! fracture, a factor or aggregates of its own, and the energy guard.
 
 use femto::elasticity::{Fibres, Orthotropic};
 use femto::element::{Dense, Elasticity, Factored, Layout};
@@ -12,6 +12,7 @@ use femto_bake::{FactorOptions, Kind, OwnedFactor, RestStiffness, factor};
 use wide::{f32x4, f32x8};
 
 use super::bytes::Bytes;
+use super::guard::check_energy;
 use super::inputs;
 use super::settings::{aggregates, room, settings, with_aggregates, with_laws};
 use super::state::{bits, check_state, check_step, report_bits};
@@ -190,7 +191,7 @@ fn place<L: Layout>(rest: &Rest<'_, L>, state: &mut OwnedState, bytes: &mut Byte
     }
 }
 
-/// In a new workspace, then in a used one with other lanes.
+/// In a new workspace, then in a used one with other lanes; and what the energy guard would make of it.
 fn step_all<L: Layout>(
     rest: &Rest<'_, L>,
     state: &mut OwnedState,
@@ -199,6 +200,7 @@ fn step_all<L: Layout>(
     settings: &Settings<'_>,
 ) -> StepReport {
     let before = state.clone();
+    guarded(rest, &before, used, scene, settings);
     let report = advance::<f32, L>(rest, state, new, scene, settings);
     check_step(&before.view(), &state.view(), &report, settings);
     for again in [advance::<f32x4, L>, advance::<f32x8, L>] {
@@ -208,6 +210,30 @@ fn step_all<L: Layout>(
         assert_eq!(report_bits(&other_report), report_bits(&report));
     }
     report
+}
+
+/// The same step with the energy guard.
+fn guarded<L: Layout>(
+    rest: &Rest<'_, L>,
+    before: &OwnedState,
+    workspace: &mut OwnedWorkspace<L>,
+    scene: &Scene<'_>,
+    settings: &Settings<'_>,
+) {
+    if scene.colliders.is_empty() {
+        return;
+    }
+    let settings = settings.with_energy_guard();
+    let (mut state, mut other) = (before.clone(), before.clone());
+    let report = advance::<f32, L>(rest, &mut state, workspace, scene, &settings);
+    let other_report = advance::<f32x8, L>(rest, &mut other, workspace, scene, &settings);
+    assert_eq!(bits(&other.view()), bits(&state.view()));
+    assert_eq!(report_bits(&other_report), report_bits(&report));
+    let (before, state) = (before.view(), state.view());
+    check_step(&before, &state, &report, &settings);
+    if report.advanced() {
+        check_energy(rest, [&before, &state], scene, &settings, &report);
+    }
 }
 
 fn advance<R: Lanes, L: Layout>(
