@@ -60,7 +60,7 @@ pub struct Plasticity {
 pub enum PlasticityError {
     /// The yield strain must be finite and not negative.
     YieldStrain(f32),
-    /// The limit must be positive and finite.
+    /// The limit must be finite and at least 1e-18: below, squares of strains vanish in f32.
     Limit(f32),
     /// The relaxation time must be finite and not negative (s).
     RelaxationTime(f32),
@@ -70,7 +70,7 @@ impl fmt::Display for PlasticityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::YieldStrain(x) => write!(f, "yield strain {x} must be finite and not negative"),
-            Self::Limit(x) => write!(f, "plastic limit {x} must be positive and finite"),
+            Self::Limit(x) => write!(f, "plastic limit {x} must be finite and at least 1e-18"),
             Self::RelaxationTime(x) => {
                 write!(f, "relaxation time {x} must be finite and not negative")
             }
@@ -88,7 +88,7 @@ impl Plasticity {
     pub const fn new(yield_strain: f32, limit: f32) -> Result<Self, PlasticityError> {
         if !(yield_strain >= 0.0 && yield_strain.is_finite()) {
             Err(PlasticityError::YieldStrain(yield_strain))
-        } else if !(limit > 0.0 && limit.is_finite()) {
+        } else if !(limit >= 1e-18 && limit.is_finite()) {
             Err(PlasticityError::Limit(limit))
         } else {
             Ok(Self {
@@ -304,7 +304,8 @@ pub(crate) fn flow<R: Lanes, L: Layout, S: Share>(
             }
         }
     }
-    total
+    // Work beyond f32 is as much as f32 can say.
+    if total < f32::MAX { total } else { f32::MAX }
 }
 
 /// −2μV ε_p : ε + μV |ε_p|², of one tetrahedron, in joules. (2)

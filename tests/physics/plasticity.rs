@@ -405,7 +405,10 @@ fn parameters_out_of_range_are_named() {
             matches!(law.with_relaxation(bad), Err(PlasticityError::RelaxationTime(x)) if same(x))
         );
     }
-    assert_eq!(Plasticity::new(0.1, 0.0), Err(PlasticityError::Limit(0.0)));
+    for small in [0.0, 1e-30, 1e-19] {
+        let error = PlasticityError::Limit(small);
+        assert_eq!(Plasticity::new(0.1, small), Err(error));
+    }
 }
 
 /// Even where positions square beyond f32, flow leaves numbers that are finite.
@@ -426,4 +429,21 @@ fn huge_strains_do_no_harm() {
                 .all(|p| p.norm() < 0.51)
         );
     }
+}
+
+#[test]
+fn work_beyond_f32_is_its_largest_number() {
+    let setup = Setup {
+        young: 1e16,
+        density: 1e18,
+        ..scenes::free_spin()
+    };
+    let law = Plasticity::new(YIELD, 1e15).unwrap();
+    let settings = setup.settings().with_plasticity(law);
+    let mut body = plastic_body(&setup, &settings);
+    body.place(&noise(setup.x.len(), 3e13, 2), &setup.v)
+        .unwrap();
+    let report = body.step(&setup.scene(&[]), &settings);
+    assert!(report.advanced(), "{report:?}");
+    assert_eq!(report.dissipated, f32::MAX);
 }
