@@ -1,6 +1,6 @@
 //! The rows of the tables, and how often a step pays each.
 
-use super::load::{Kind, Load, SIZES, Shapes};
+use super::load::{Kind, Load, SIZES};
 use crate::settings::{Budget, Start};
 
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
@@ -168,27 +168,19 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
 
 /// Shapes of colliders, plastic flow and fracture.
 fn inelastic(load: &Load) -> [u64; 8] {
-    let Shapes {
-        spheres,
-        capsules,
-        boxes,
-        height_fields,
-        placed,
-        ..
-    } = load.shapes;
-    let [spheres, capsules, boxes, height_fields, placed] =
-        [spheres, capsules, boxes, height_fields, placed].map(|count| count as u64);
+    let of = &load.shapes;
+    let placed = [
+        of.spheres,
+        of.capsules,
+        of.boxes,
+        of.height_fields,
+        of.placed,
+    ];
+    let [spheres, capsules, boxes, fields, frames] = placed.map(|count| count as u64);
     let (flows, tears) = (u64::from(load.flows), u64::from(load.tears));
     let breaks = u64::from(tears > 0);
     [
-        spheres,
-        capsules,
-        boxes,
-        height_fields,
-        placed,
-        flows,
-        breaks,
-        tears,
+        spheres, capsules, boxes, fields, frames, flows, breaks, tears,
     ]
 }
 

@@ -3,6 +3,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod arrays;
 mod contact;
 mod energy;
 mod fracture;

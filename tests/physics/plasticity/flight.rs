@@ -5,7 +5,8 @@ use femto::owned::OwnedBody;
 use femto::{Plasticity, Preconditioner, Settings, Start};
 use nalgebra::Vector3;
 
-use super::{elastic, plastic_body, plastic_strains, rotations};
+use super::{elastic, plastic_body, plastic_strains};
+use crate::support::account::frozen_rotations;
 use crate::support::meshes::box_mesh;
 use crate::support::reference::stack;
 use crate::support::scenes::Setup;
@@ -43,7 +44,7 @@ fn fly(setup: &Setup, settings: &Settings<'_>) -> Flight {
     let mut last = 1.0;
     for _ in 0..200 {
         let view = body.state().view();
-        let (q, p) = (rotations(&view, tets), plastic_strains(&view, tets));
+        let (q, p) = (frozen_rotations(&view, tets), plastic_strains(&view, tets));
         let before = mechanical(&body, &q, &p);
         let report = body.step(&setup.scene(&[]), settings);
         assert!(report.advanced());
