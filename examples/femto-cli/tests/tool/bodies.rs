@@ -1,7 +1,6 @@
 //! Scenes whose bodies touch, are joined or rigid: that they run, and what is said of bad ones.
 
 use crate::support::{BEAM, Folder, table};
-use serde_json::Value;
 
 /// Two cubes and a ball that meet in free space; a box hangs on a cube; a spring draws at the other.
 const CROWD: &str = r#"
@@ -86,7 +85,7 @@ fn bodies_touch_and_keep_their_momentum() {
         frame.contains("NumberOfCells=\"230\""),
         "48 + 48 + 128 + 6 tets"
     );
-    let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+    let report = folder.report();
     assert_eq!(report["contacts_dropped"], 0);
     assert!(folder.path("out/preview.svg").exists());
 }
@@ -141,7 +140,7 @@ fn bodies_that_touch_yield_and_break_by_their_own_laws() {
         scene = scene.replace(key, &format!("{key}\n{law}"));
     }
     folder.run(&scene, &["--frames", "2"]).succeeds();
-    let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+    let report = folder.report();
     let damage = &report["damage"];
     assert!(damage["dissipated_joules"].as_f64() > Some(0.1), "{damage}");
     let broken = damage["broken_tets"].as_u64().expect("a count");
@@ -220,7 +219,7 @@ fn contacts_without_room_are_reported() {
         "{}",
         run.out
     );
-    let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+    let report = folder.report();
     assert!(report["contacts_dropped"].as_u64() > Some(0));
 }
 
@@ -304,7 +303,7 @@ fn fibres_count_in_one_system_too() {
     let hash = |scene: &str| {
         let folder = Folder::new();
         folder.run(scene, &[]).succeeds();
-        let report: Value = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
+        let report = folder.report();
         report["state_hash"].as_str().expect("a hash").to_owned()
     };
     assert_ne!(hash(&with_fibres), hash(CROWD));

@@ -12,8 +12,7 @@ fn run(preconditioner: &str, more: &str) -> (f64, Value) {
     folder.run(&BEAM.replace("[time]", &solver), &[]).succeeds();
     let (_, rows) = table(&folder.read("out/trace.csv"));
     let worst = rows.iter().map(|row| row[5]).fold(0.0, f64::max);
-    let report = serde_json::from_str(&folder.read("out/report.json")).expect("JSON");
-    (worst, report)
+    (worst, folder.report())
 }
 
 /// The beam hardly turns and its pins are known to the factor: warped, two iterations leave what the

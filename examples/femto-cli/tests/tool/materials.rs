@@ -25,10 +25,6 @@ box = [[0.999, -1.0, -1.0], [1.001, 1.0, 1.0]]
 velocity = [0.1, 0.0, 0.0]
 "#;
 
-fn report(folder: &Folder) -> Value {
-    serde_json::from_str(&folder.read("out/report.json")).expect("JSON")
-}
-
 /// Final x of the nodes at a rest x, which the pins have stretched evenly where the material is even.
 fn middle(folder: &Folder) -> f64 {
     let (_, rows) = table(&folder.read("out/final.csv"));
@@ -110,7 +106,7 @@ fn volumes_of_a_mesh_are_regions() {
     };
     folder.run(&scene("9"), &[]).succeeds();
     let potential = |folder: &Folder| {
-        report(folder)["energy"]["first"]["potential"]
+        folder.report()["energy"]["first"]["potential"]
             .as_f64()
             .unwrap()
     };
@@ -137,7 +133,7 @@ fn what_yields_stays_and_is_reported() {
     let folder = Folder::new();
     let law = "[body.plasticity]\nyield_strain = 0.02\nlimit = 0.5";
     folder.run(&with(law), &["--frames", "2"]).succeeds();
-    let first = report(&folder);
+    let first = folder.report();
     assert!(first["damage"]["dissipated_joules"].as_f64().unwrap() > 0.1);
     assert_eq!(first["damage"]["broken_tets"], 0);
     assert_eq!(first["damage"]["reserve_left"], Value::Null);
@@ -148,7 +144,7 @@ fn what_yields_stays_and_is_reported() {
     );
     // Without it, neither.
     folder.run(BAR, &["--frames", "2"]).succeeds();
-    assert!(report(&folder).get("damage").is_none());
+    assert!(folder.report().get("damage").is_none());
     assert!(
         !folder
             .read("out/frames/frame-00001.vtu")
@@ -162,7 +158,7 @@ fn what_breaks_is_counted_and_left_out() {
     let law = "[body.fracture]\nstrength = 5e3\nper_step = 3\nreserve = 20";
     folder.run(&with(law), &["--frames", "2"]).succeeds();
     // One cell of six tets goes, and holds nothing any more.
-    let damage = report(&folder)["damage"].clone();
+    let damage = folder.report()["damage"].clone();
     assert_eq!(
         (
             damage["broken_tets"].as_u64(),
@@ -181,9 +177,9 @@ fn what_breaks_is_counted_and_left_out() {
             .contains("NumberOfCells=\"42\"")
     );
     // Run again, the same bits.
-    let hash = report(&folder)["state_hash"].clone();
+    let hash = folder.report()["state_hash"].clone();
     folder.run(&with(law), &[]).succeeds();
-    assert_eq!(report(&folder)["state_hash"], hash);
+    assert_eq!(folder.report()["state_hash"], hash);
 }
 
 /// The scenes that come with the tool.
@@ -202,15 +198,15 @@ fn clay_stays_flat_and_the_strip_is_torn_in_two() {
         .fold(0.0_f64, |most, v| most.max(v.abs()));
     // A ball of 0.6 m, at rest, long after what pressed it has gone.
     assert!(top < 0.45 && speed < 0.02, "{top} {speed}");
-    assert!(report(&folder)["damage"]["dissipated_joules"].as_f64() > Some(100.0));
+    assert!(folder.report()["damage"]["dissipated_joules"].as_f64() > Some(100.0));
 
     folder
         .femto(&["run", &scene("tear"), "--out", "out"])
         .succeeds();
-    let damage = report(&folder)["damage"].clone();
+    let damage = folder.report()["damage"].clone();
     assert!(damage["broken_tets"].as_u64() > Some(20) && damage["reserve_left"].as_u64() > Some(0));
     // Nothing pulls any more.
-    assert!(report(&folder)["energy"]["last"]["elastic"].as_f64() < Some(0.1));
+    assert!(folder.report()["energy"]["last"]["elastic"].as_f64() < Some(0.1));
 }
 
 #[test]

@@ -1,14 +1,10 @@
 //! `femto run` on good scenes: every file, and that the numbers in them agree.
 
-use crate::support::{BEAM, Folder, table};
+use crate::support::{BEAM, Folder, free_beam, table};
 use serde_json::Value;
 
-fn report(folder: &Folder) -> Value {
-    serde_json::from_str(&folder.read("out/report.json")).expect("JSON")
-}
-
 fn hash(folder: &Folder) -> String {
-    report(folder)["state_hash"]
+    folder.report()["state_hash"]
         .as_str()
         .expect("text")
         .to_owned()
@@ -82,7 +78,7 @@ fn a_run_writes_all_its_files() {
         assert_eq!(row[13], 0.0);
     }
 
-    let report = report(&folder);
+    let report = folder.report();
     assert_eq!(report["nodes"], 20);
     assert_eq!(report["tets"], 24);
     assert_eq!(report["steps_run"], 10);
@@ -162,7 +158,7 @@ fn no_steps_gives_the_start() {
     assert_eq!((head.len(), rows.len()), (14, 0));
     let (_, rows) = table(&folder.read("out/final.csv"));
     assert_eq!(rows[19][2..8], [1.0, 0.25, 0.25, 0.0, 0.0, 0.0]);
-    let report = report(&folder);
+    let report = folder.report();
     assert_eq!(report["seconds_per_step"]["median"], Value::Null);
     assert_eq!(report["energy"]["first"], report["energy"]["last"]);
 }
@@ -314,11 +310,7 @@ angular_velocity = [0.0, 0.0, 2.0]
 #[test]
 fn ground_stops_a_fall_and_is_counted() {
     let folder = Folder::new();
-    let falling = BEAM
-        .split_once("[[body.pin]]")
-        .expect("a pin")
-        .0
-        .replace("steps = 10", "steps = 60");
+    let falling = free_beam().replace("steps = 10", "steps = 60");
     let scene = format!(
         "{falling}translate = [0, 0.05, 0]\n[[collider]]\nplane = {{ normal = [0, 2, 0], offset = -0.1 }}\n"
     );
@@ -335,11 +327,7 @@ fn ground_stops_a_fall_and_is_counted() {
 #[test]
 fn a_moving_sphere_pushes_a_body() {
     let folder = Folder::new();
-    let free = BEAM
-        .split_once("[[body.pin]]")
-        .expect("a pin")
-        .0
-        .replace("steps = 10", "steps = 50");
+    let free = free_beam().replace("steps = 10", "steps = 50");
     let scene = format!(
         "gravity = [0, 0, 0]\n{free}[[collider]]\nsphere = {{ centre = [-0.6, 0.125, 0.125], radius = 0.5 }}\nvelocity = [1, 0, 0]\nfriction = 0.5\n"
     );
@@ -377,7 +365,7 @@ fn a_refused_step_keeps_the_last_good_state() {
         assert_eq!(run.status, 3, "{}", run.err);
         assert_eq!(run.err.lines().count(), 1, "{}", run.err);
         assert!(run.err.contains("scene.toml: step"), "{}", run.err);
-        let report = report(&folder);
+        let report = folder.report();
         assert!(
             report["ended"]
                 .as_str()

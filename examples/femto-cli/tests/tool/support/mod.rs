@@ -6,6 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// A small beam, held at one end, that falls.
@@ -23,6 +24,11 @@ density = 1000.0
 [[body.pin]]
 box = [[-1e-6, -1.0, -1.0], [1e-6, 1.0, 1.0]]
 "#;
+
+/// The beam, free.
+pub fn free_beam() -> &'static str {
+    BEAM.split_once("[[body.pin]]").expect("a pin").0
+}
 
 pub struct Folder(TempDir);
 
@@ -57,6 +63,11 @@ impl Folder {
         self.write("scene.toml", scene);
         let all = [&["run", "scene.toml", "--out", "out"], arguments].concat();
         self.femto(&all)
+    }
+
+    /// `report.json` of what [`Self::run`] ran.
+    pub fn report(&self) -> Value {
+        serde_json::from_str(&self.read("out/report.json")).expect("JSON")
     }
 
     pub fn root(&self) -> &Path {
