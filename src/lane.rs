@@ -68,6 +68,11 @@ pub trait Real:
     fn below(self, bound: Self) -> Self::Mask;
     /// Where both hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// The same decision, as one that several choices with costs of their own may hang on: see [`Mask::of`].
+    #[inline(always)]
+    fn firm(mask: Self::Mask) -> Self::Mask {
+        mask
+    }
     /// Lane by lane, `yes` where the mask holds, else `no`.
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Lane by lane, `(b, a)` where the mask holds, else `(a, b)`.
@@ -93,6 +98,10 @@ pub trait Lanes: Real {
     /// Whether such a chain is better taken for two blocks at once. With sixteen registers of four lanes, eight lanes are two
     /// already, and one lane has too few.
     const TWO: bool = false;
+    /// Whether a block's bites are better taken side by side, one stage of a kernel after the other. An engine's code of
+    /// one lane waits for its own results, unless the next bite's are there to work on; more lanes have others, and a
+    /// microcontroller has nothing to wait for.
+    const STAGES: bool = false;
     /// `make` of each bite's first lane.
     fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T>;
     /// Lanes `at .. at + WIDTH` of a block's component.
@@ -127,7 +136,17 @@ impl Real for f32 {
     type Mask = Mask;
     #[inline(always)]
     fn below(self, bound: Self) -> Mask {
-        Mask::of(self < bound)
+        cfg_select! {
+            target_arch = "wasm32" => { Mask::plain(self < bound) }
+            _ => { Mask::of(self < bound) }
+        }
+    }
+    #[inline(always)]
+    fn firm(mask: Mask) -> Mask {
+        cfg_select! {
+            target_arch = "wasm32" => { mask.firm() }
+            _ => { mask }
+        }
     }
     #[inline(always)]
     fn both(a: Mask, b: Mask) -> Mask {
@@ -139,7 +158,10 @@ impl Real for f32 {
     }
     #[inline(always)]
     fn swap(mask: Mask, a: Self, b: Self) -> (Self, Self) {
-        mask.swap(a, b)
+        cfg_select! {
+            target_arch = "wasm32" => { (mask.pick(b, a), mask.pick(a, b)) }
+            _ => { mask.swap(a, b) }
+        }
     }
 }
 
@@ -184,6 +206,7 @@ impl Lanes for f32 {
     const WIDTH: usize = 1;
     type Bites<T: Copy> = [T; BLOCK];
     type Wide = f32;
+    const STAGES: bool = cfg!(target_arch = "wasm32");
     #[inline(always)]
     fn bites<T: Copy>(make: impl Fn(usize) -> T) -> Self::Bites<T> {
         core::array::from_fn(make)

@@ -68,7 +68,21 @@ impl Mask {
     #[inline]
     #[must_use]
     pub fn of(condition: bool) -> Self {
-        Self(core::hint::black_box(u32::from(condition).wrapping_neg()))
+        Self(u32::from(condition).wrapping_neg()).firm()
+    }
+
+    /// One that the optimiser may look behind: on WASM, which has one instruction for a choice, and where hiding takes a
+    /// trip through memory.
+    #[cfg(target_arch = "wasm32")]
+    #[inline]
+    pub(crate) fn plain(condition: bool) -> Self {
+        Self(u32::from(condition).wrapping_neg())
+    }
+
+    /// The same, hidden from here on.
+    #[inline]
+    pub(crate) fn firm(self) -> Self {
+        Self(core::hint::black_box(self.0))
     }
 
     /// Whether both conditions held.

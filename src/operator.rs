@@ -211,6 +211,7 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
     rotations: &mut [RotationBlock],
 ) {
     let mut rotations = rotations.iter_mut();
+    let mut fits = R::bites(|_| polar::Fit::still());
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         let none: &[[TetBlock; 2]] = &[];
@@ -231,6 +232,12 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
             }
         }
         for (tet, rotation) in ones.iter().zip(rotations.by_ref()) {
+            if let Fit::Warm(sweeps) = fit
+                && R::STAGES
+            {
+                fit_in_stages(fits.as_mut(), edges.as_mut(), x, tet, sweeps, rotation);
+                continue;
+            }
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
                 let Some(f) = deformations(edges, x, tet, at) else {
                     continue;
@@ -238,6 +245,30 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
                 rotation.store(fitted(&rotation.load::<R>(at), &f, fit), at);
             }
         }
+    }
+}
+
+/// The next block's fit by sweeps, for [`Lanes::STAGES`]. A function of its own, for size.
+#[inline(never)]
+fn fit_in_stages<R: Lanes>(
+    fits: &mut [polar::Fit<R>],
+    edges: &mut [Edges<R>],
+    x: &[[f32; 3]],
+    tet: &TetBlock,
+    sweeps: u32,
+    rotation: &mut RotationBlock,
+) {
+    for ((fit, edges), at) in fits.iter_mut().zip(edges).zip(lanes::<R>()) {
+        if let Some(f) = deformations(edges, x, tet, at) {
+            *fit = polar::Fit::new(&rotation.load::<R>(at), &f);
+        }
+    }
+    for _ in 0..sweeps {
+        polar::sweep(fits);
+    }
+    for (fit, at) in fits.iter().zip(lanes::<R>()) {
+        let q = fit.end(&rotation.load::<R>(at));
+        rotation.store(q, at);
     }
 }
 

@@ -20,7 +20,7 @@
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
 //! storage and scaling are ours.
 
-use crate::algebra::{each3, mul_mat, scale3, transpose};
+use crate::algebra::{each3, mul_mat, scale3, transpose, zero3};
 use crate::lane::Real;
 
 /// A unit quaternion, scalar first: (w, x, y, z).
@@ -91,6 +91,56 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
     usable(&q, &start)
 }
 
+/// A fit under way, for several side by side: Q, and B = QᵀF.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fit<R> {
+    q: Quaternion<R>,
+    b: [[R; 3]; 3],
+}
+
+impl<R: Real> Fit<R> {
+    /// Of nothing.
+    #[inline(always)]
+    pub fn still() -> Self {
+        Self {
+            q: identity(),
+            b: [zero3(); 3],
+        }
+    }
+
+    /// From `q` towards the rotation of `f`.
+    #[inline(always)]
+    pub fn new(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> Self {
+        Self {
+            q: *q,
+            b: unrotated(q, &normalised(f)),
+        }
+    }
+
+    /// Q, or `start` where F is infinite.
+    #[inline(always)]
+    pub fn end(&self, start: &Quaternion<R>) -> Quaternion<R> {
+        usable(&self.q, start)
+    }
+}
+
+/// One sweep of each, plane by plane: while one waits for a root and a quotient, the next goes on. The steps are those of
+/// [`sweeps`].
+#[inline(always)]
+pub(crate) fn sweep<R: Real>(fits: &mut [Fit<R>]) {
+    let [first, second, third] = PLANES;
+    for fit in fits.iter_mut() {
+        rotate_pair(&mut fit.q, &mut fit.b, first);
+    }
+    for fit in fits.iter_mut() {
+        rotate_pair(&mut fit.q, &mut fit.b, second);
+    }
+    for fit in fits.iter_mut() {
+        rotate_pair(&mut fit.q, &mut fit.b, third);
+        fit.q = unit(&fit.q);
+    }
+}
+
 /// The plane (p, s), the base vector of its normal, 1 to 3, and the sign of that.
 type Plane = (usize, usize, usize, f32);
 
@@ -101,7 +151,7 @@ const PLANES: [Plane; 3] = [(0, 1, 3, 1.0), (0, 2, 2, -1.0), (1, 2, 1, 1.0)];
 #[inline(always)]
 fn usable<R: Real>(q: &Quaternion<R>, fallback: &Quaternion<R>) -> Quaternion<R> {
     let off = (square(q) - R::splat(1.0)).abs();
-    let near = off.below(R::splat(0.5));
+    let near = R::firm(off.below(R::splat(0.5)));
     core::array::from_fn(|k| R::pick(near, q[k], fallback[k]))
 }
 

@@ -15,6 +15,10 @@ fn fold(s: [f32; SUMS]) -> f32 {
     ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
 }
 
+/// Running sums of one pass: where there are sixteen registers for single numbers, eight sums and what goes into them are
+/// too many.
+const PASS: usize = if Native::STAGES { SUMS / 2 } else { SUMS };
+
 /// a · b
 #[inline]
 #[must_use]
@@ -29,9 +33,12 @@ pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
     let (a, a_rest) = a.as_chunks::<SUMS>();
     let (b, b_rest) = b.as_chunks::<SUMS>();
     let mut sums = [0.0; SUMS];
-    for (a, b) in a.iter().zip(b) {
-        for k in 0..SUMS {
-            sums[k] += a[k] * b[k];
+    for (pass, sums) in sums.as_chunks_mut::<PASS>().0.iter_mut().enumerate() {
+        for (a, b) in a.iter().zip(b) {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                let k = (pass * PASS + k) % SUMS;
+                *sum += a[k] * b[k];
+            }
         }
     }
     for ((sum, a), b) in sums.iter_mut().zip(a_rest).zip(b_rest) {
