@@ -342,28 +342,19 @@ impl<'a> Collider<'a> {
     /// The speeds that a step of `dt` compares a node at `x` with: see [`crate::constraint`].
     #[inline]
     pub(crate) fn over(&self, x: Vec3, dt: f32) -> Surface {
-        if let Shape::Borrowed(shape) = self.shape {
-            let near = shape.0.near(x, 0.0);
-            let gained = near.acceleration * (0.5 * dt);
-            let along = gained - near.normal * gained.dot(near.normal);
-            return Surface {
-                distance: near.distance,
-                normal: near.normal,
-                before: near.velocity - along,
-                velocity: near.velocity + along,
-            };
-        }
-        let (distance, normal) = self.distance(x);
+        let near = self.near_after(x, 0.0);
+        let gained = near.acceleration * (0.5 * dt);
+        let along = gained - near.normal * gained.dot(near.normal);
         Surface {
-            distance,
-            normal,
-            before: self.velocity,
-            velocity: self.velocity,
+            distance: near.distance,
+            normal: near.normal,
+            before: near.velocity - along,
+            velocity: near.velocity + along,
         }
     }
 
     /// What is near a point `time` seconds later.
-    #[inline]
+    #[inline(never)]
     #[must_use]
     pub fn near_after(&self, x: Vec3, time: f32) -> Near {
         if let Shape::Borrowed(shape) = self.shape {

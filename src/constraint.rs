@@ -44,8 +44,8 @@ use glam::Vec3;
 
 use crate::collider::Collider;
 use crate::element::Sym3;
-use crate::math::{Mask, ratio_or_zero, select, select3, sqrt};
-use crate::vector::sym_mul;
+use crate::math::{ratio_or_zero, select, sqrt};
+use crate::vector::project;
 
 /// A node whose velocity is prescribed (m/s); zero holds it.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -124,6 +124,7 @@ pub(crate) struct Decisions<'a> {
 
 /// Decides who is in contact and who slides. Returns the number of contacts. Without colliders nothing
 /// is read or written.
+#[inline(never)]
 pub(crate) fn touch(
     colliders: &[Collider<'_>],
     step: &ContactStep<'_>,
@@ -132,7 +133,6 @@ pub(crate) fn touch(
     if colliders.is_empty() {
         return 0;
     }
-    let margin = TOUCHING * step.length_unit;
     let per_dt = 1.0 / step.dt;
     let mut contacts = 0;
     let per_unit = 1.0 / step.velocity_unit;
@@ -162,40 +162,38 @@ pub(crate) fn touch(
             let (d, n) = (surface.distance, surface.normal);
             let (before, s) = (surface.before, surface.velocity); // s⁻, s
             let keep = -((w - before).dot(n) + d * per_dt); // N
-            let approach = d + step.dt * (v - s).dot(n);
-            let meets = (d > margin) & (approach < 0.0);
             // What earlier constraints leave of the normal.
-            let free = sym_mul(p, &n.to_array());
+            let free = project(p, &n.to_array());
             let share = n.dot(Vec3::from_array(free));
-            let active = (meets | (keep > 0.0)) & (share > 1e-3);
+            let active = (keep > 0.0) & (share > 1e-3);
             contacts += u32::from(active);
             let open = select(d > 0.0, -(d * per_dt), 0.0);
-            *normal = select3(active, (Vec3::from_array(*normal) + n).to_array(), *normal);
+            add_if(active, normal, n);
             target(active, c, &free, share, n, s.dot(n));
             target(active, gap, &free, share, n, open);
             hold(active, p, &free, share);
 
-            let slip = sym_mul(p, &(w - before).to_array()); // w_t − s⁻_t
+            let slip = project(p, &(w - before).to_array()); // w_t − s⁻_t
             let speed = sqrt(slip[0] * slip[0] + slip[1] * slip[1] + slip[2] * slip[2]);
-            let grip = collider.friction() * select(keep > 0.0, keep, 0.0); // μN
+            let grip = collider.friction() * select(active, keep, 0.0); // μN
             let left = speed - grip;
             let slides = active & (left > STUCK * speed);
             let gamma = select(slides, a * ratio_or_zero(grip, left, 0.0), 0.0);
             *inertia += gamma;
-            for (entry, one) in diagonal.iter_mut().zip(FREE) {
-                *entry += gamma * one;
+            for entry in [0, 3, 5] {
+                diagonal[entry] += gamma;
             }
-            let s_t = sym_mul(p, &s.to_array());
+            let s_t = project(p, &s.to_array());
             for axis in 0..3 {
                 rhs[axis] += gamma * s_t[axis] * per_unit;
             }
             let sticks = active & !slides & (collider.friction() > 0.0);
             let s = s.to_array();
-            let hold = sym_mul(p, &[s[0] - c[0], s[1] - c[1], s[2] - c[2]]);
-            *c = select3(sticks, [c[0] + hold[0], c[1] + hold[1], c[2] + hold[2]], *c);
-            let free = Mask::of(!sticks);
+            let hold = project(p, &[s[0] - c[0], s[1] - c[1], s[2] - c[2]]);
+            add_if(sticks, c, Vec3::from_array(hold));
+            let free = select(sticks, 0.0, 1.0);
             for entry in p.iter_mut() {
-                *entry = free.keep(*entry);
+                *entry *= free;
             }
         }
     }
@@ -204,6 +202,7 @@ pub(crate) fn touch(
 
 /// Takes in the free nodes that `v` (over the velocity unit) moves into a surface, without friction, and writes to `g` what
 /// brings to the surface whoever would be inside. Returns whether there were any to take in.
+#[inline(never)]
 pub(crate) fn enter(
     colliders: &[Collider<'_>],
     step: &ContactStep<'_>,
@@ -216,24 +215,23 @@ pub(crate) fn enter(
     let per_step = 1.0 / (step.dt * step.velocity_unit);
     let nodes = step.x.iter().zip(v).zip(filter).zip(normals).zip(g);
     for ((((x, v), p), normal), g) in nodes {
-        let travel = Vec3::from_array(*v) * (step.velocity_unit * step.dt);
-        let mut at = Vec3::from_array(*x) + travel;
-        let mut out = Vec3::ZERO;
-        for collider in colliders {
-            let near = collider.near_after(at, step.dt);
-            let n = near.normal;
-            let free = sym_mul(p, &n.to_array());
-            let share = n.dot(Vec3::from_array(free));
-            let inside = near.distance < 0.0;
-            let enters = inside & (share > 1e-3);
-            let pinned = (share <= 1e-3) & (Vec3::from_array(*normal) == Vec3::ZERO);
-            let way = near.way_out * select(inside & !pinned, -near.distance, 0.0);
-            (at, out) = (at + way, out + way);
-            hold(enters, p, &free, share);
-            *normal = select3(enters, (Vec3::from_array(*normal) + n).to_array(), *normal);
-            some |= enters;
-        }
-        *g = (out * per_step).to_array();
+        let mut at = core::array::from_fn(|axis| x[axis] + v[axis] / per_step);
+        let (way, n) = land(
+            colliders,
+            step.dt,
+            step.length_unit,
+            x,
+            &mut at,
+            &mut [0.0; 3],
+        );
+        let free = project(p, &n.to_array());
+        let share = n.dot(Vec3::from_array(free));
+        let enters = share > 1e-3;
+        let pinned = !enters & (Vec3::from_array(*normal) == Vec3::ZERO);
+        *g = (way * select(pinned, 0.0, per_step)).to_array();
+        hold(enters, p, &free, share);
+        add_if(enters, normal, n);
+        some |= enters;
     }
     some
 }
@@ -246,22 +244,29 @@ pub(crate) fn held(normals: &[[f32; 3]]) -> u32 {
 
 /// Releases the nodes that contact would pull: −(1 − P) r is its impulse. Returns whether there were any. Where several
 /// surfaces hold a node, it is released by all, if their sum pulls.
+#[inline(never)]
 pub(crate) fn release(r: &[[f32; 3]], filter: &mut [Sym3<f32>], normals: &mut [[f32; 3]]) -> bool {
     let mut some = false;
     for ((r, p), n) in r.iter().zip(filter).zip(normals) {
         let pulls = n[0] * r[0] + n[1] * r[1] + n[2] * r[2] > 0.0;
-        let holds = Mask::of(!pulls);
-        for (entry, free) in p.iter_mut().zip(FREE) {
-            *entry = holds.pick(*entry, free);
+        let (keep, free) = (select(pulls, 0.0, 1.0), select(pulls, 1.0, 0.0));
+        for (entry, one) in p.iter_mut().zip(FREE) {
+            *entry = *entry * keep + one * free;
         }
-        *n = n.map(|n| holds.keep(n));
+        *n = n.map(|n| n * keep);
         some |= pulls;
     }
     some
 }
 
-/// If `active`: c·n = speed from now on, along `free` = P n (n·P n = `share`).
+/// u += n if `active`
 #[inline]
+fn add_if(active: bool, u: &mut [f32; 3], n: Vec3) {
+    *u = (Vec3::from_array(*u) + n * select(active, 1.0, 0.0)).to_array();
+}
+
+/// If `active`: c·n = speed from now on, along `free` = P n (n·P n = `share`).
+#[inline(never)]
 fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, speed: f32) {
     let missing = select(
         active,
@@ -272,7 +277,7 @@ fn target(active: bool, c: &mut [f32; 3], free: &[f32; 3], share: f32, n: Vec3, 
 }
 
 /// If `active`: P n = 0 from now on, given `free` = P n (n·P n = `share`).
-#[inline]
+#[inline(never)]
 fn hold(active: bool, p: &mut Sym3<f32>, free: &[f32; 3], share: f32) {
     let inverse = select(active, ratio_or_zero(1.0, share, 0.0), 0.0);
     for (entry, product) in p.iter_mut().zip(outer(free)) {
@@ -288,7 +293,8 @@ fn outer(&[x, y, z]: &[f32; 3]) -> Sym3<f32> {
 
 /// Puts one node back on every collider that it would enter, where the collider will be after `dt`,
 /// and takes the speed of entering from it. A node that started the step inside leaves it without the
-/// speed of being pushed out.
+/// speed of being pushed out. Returns the way that it was put back, and the sum of the normals on it.
+#[inline(never)]
 pub(crate) fn land(
     colliders: &[Collider<'_>],
     dt: f32,
@@ -296,18 +302,22 @@ pub(crate) fn land(
     x_old: &[f32; 3],
     x: &mut [f32; 3],
     v: &mut [f32; 3],
-) {
+) -> (Vec3, Vec3) {
+    let (mut way, mut normals) = (Vec3::ZERO, Vec3::ZERO);
     let margin = TOUCHING * length_unit;
     for collider in colliders {
-        let was_inside = collider.distance(Vec3::from_array(*x_old)).0 < -margin;
+        let was_inside = collider.near_after(Vec3::from_array(*x_old), 0.0).distance < -margin;
         let (mut at, mut speed) = (Vec3::from_array(*x), Vec3::from_array(*v));
         let near = collider.near_after(at, dt);
         let (d, n, s) = (near.distance, near.normal, near.velocity);
         let enters = d < 0.0;
-        at -= near.way_out * select(enters, d, 0.0);
+        let out = near.way_out * select(enters, -d, 0.0);
+        at += out;
+        (way, normals) = (way + out, normals + n * select(enters, 1.0, 0.0));
         let normal_speed = (speed - s).dot(n);
         let stop = (enters & (normal_speed < 0.0)) | (was_inside & (normal_speed > 0.0));
         speed -= n * select(stop, normal_speed, 0.0);
         (*x, *v) = (at.to_array(), speed.to_array());
     }
+    (way, normals)
 }

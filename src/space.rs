@@ -8,8 +8,8 @@ use crate::math::{Mask, ratio_or_zero, select, sqrt};
 use crate::rest::{Points, Rest};
 use crate::scene::Scene;
 use crate::settings::Start;
-use crate::step::Units;
-use crate::vector::{add_scaled, advance, dot, momentum, scale_or_clear, sym_mul};
+use crate::step::{Units, add_free};
+use crate::vector::{add_scaled, advance, dot, momentum, project, scale_or_clear};
 
 /// Translations in W, of what nothing holds.
 pub(crate) trait Translate {
@@ -181,19 +181,17 @@ impl<T: Translate> Space<'_, T> {
     }
 
     /// Galerkin over one more vector `g`, with its coefficient held between 0 and 1: v += τ g', r −= τ Ag'
-    /// where g' is g made A-orthogonal to the stored vectors. `g` and `ag` = A g are overwritten.
+    /// where g' is g made A-orthogonal to the stored vectors. `g` is overwritten; `ag` is scratch.
     pub fn close_gap(
         &self,
+        system: &impl System,
         v: &mut [[f32; 3]],
         r: &mut [[f32; 3]],
         g: &mut [[f32; 3]],
         ag: &mut [[f32; 3]],
     ) {
-        for (w, aw) in pairs(self.vectors, self.products, self.nodes) {
-            let c = dot(aw, g);
-            add_scaled(g, -c, w);
-            add_scaled(ag, -c, aw);
-        }
+        remove(self.vectors, self.products, self.nodes, g);
+        system.apply(g, ag);
         let tau = ratio_or_zero(dot(g, r), dot(g, ag), 0.0);
         let tau = select(tau > 0.0, select(tau < 1.0, tau, 1.0), 0.0);
         advance(v, r, tau, g, ag);
@@ -257,12 +255,10 @@ pub(crate) fn fill_space(
         _ => (0, false),
     };
     let mut vectors = vectors.chunks_exact_mut(nodes);
-    let per_unit = 1.0 / units.velocity;
     let past = core::iter::once(&*state.v).chain(state.history.chunks_exact(nodes));
     for (w, v) in vectors.by_ref().zip(past).take(velocities) {
-        for ((w, v), p) in w.iter_mut().zip(v).zip(filter) {
-            *w = sym_mul(p, &v.map(|v| v * per_unit));
-        }
+        w.fill([0.0; 3]);
+        add_free(v, filter, units, w);
     }
     if rotations {
         let centre = pivot(rest, state, scene);
@@ -274,7 +270,7 @@ pub(crate) fn fill_space(
                 let mut turn = [0.0; 3];
                 turn[next] = -((x[last] - centre[last]) * per_length);
                 turn[last] = (x[next] - centre[next]) * per_length;
-                *w = sym_mul(p, &turn);
+                *w = project(p, &turn);
             }
         }
     }

@@ -119,11 +119,25 @@ pub fn sym_mul(s: &Sym3<f32>, v: &[f32; 3]) -> [f32; 3] {
     ]
 }
 
+/// [`sym_mul`], where it is called so rarely that its size counts.
+#[inline(never)]
+pub(crate) fn project(s: &Sym3<f32>, v: &[f32; 3]) -> [f32; 3] {
+    sym_mul(s, v)
+}
+
 /// y_i = S_i x_i
 #[inline(never)]
 pub fn multiply_blocks(y: &mut [[f32; 3]], blocks: &[Sym3<f32>], x: &[[f32; 3]]) {
     for ((y, s), x) in y.iter_mut().zip(blocks).zip(x) {
         *y = sym_mul(s, x);
+    }
+}
+
+/// y_i = S_i y_i
+#[inline(never)]
+pub fn multiply_in_place(y: &mut [[f32; 3]], blocks: &[Sym3<f32>]) {
+    for (y, s) in y.iter_mut().zip(blocks) {
+        *y = sym_mul(s, y);
     }
 }
 

@@ -33,6 +33,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         let folder = out.join(ram);
         fs::create_dir_all(&folder)?;
         fs::write(folder.join("memory.x"), map)?;
+        // No interrupts have names.
+        fs::write(folder.join("device.x"), "")?;
         for binary in binaries {
             println!("cargo:rustc-link-arg-bin={binary}=-L{}", folder.display());
         }

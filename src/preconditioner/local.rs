@@ -3,7 +3,6 @@
 //! All four are one symmetric 3×3 block B_i per node, with the filter on both sides: z_i = P_i B_i P_i r_i.
 //! So they share one buffer and one loop, and the choice between them costs nothing in the iteration.
 
-use crate::algebra::mul_mat;
 use crate::element::Sym3;
 use crate::math::{Mask, ratio};
 
@@ -18,9 +17,17 @@ pub(super) enum Local {
 }
 
 impl Local {
-    /// Writes P_i B_i P_i for every node (B_i without a filter), over the diagonal blocks of A.
-    pub fn prepare(self, inertia: &[f32], filter: Option<&[Sym3<f32>]>, blocks: &mut [Sym3<f32>]) {
-        for (i, (block, m)) in blocks.iter_mut().zip(inertia).enumerate() {
+    /// Writes P_i B_i P_i for every node over the diagonal blocks of A; B_i where P `may_change`.
+    pub fn prepare(
+        self,
+        inertia: &[f32],
+        filter: &[Sym3<f32>],
+        may_change: bool,
+        blocks: &mut [Sym3<f32>],
+    ) {
+        for ((block, p), m) in blocks.iter_mut().zip(filter).zip(inertia) {
+            // Pins leave all or nothing.
+            let part = if may_change { 1.0 } else { p[0] };
             let diagonal = |x: f32, y: f32, z: f32| [x, 0.0, 0.0, y, 0.0, z];
             let local = match self {
                 Self::Identity => diagonal(1.0, 1.0, 1.0),
@@ -38,20 +45,9 @@ impl Local {
                     }
                 }
             };
-            *block = match filter.and_then(|f| f.get(i)) {
-                Some(p) => sandwich(p, &local),
-                None => local,
-            };
+            *block = local.map(|x| x * part);
         }
     }
-}
-
-/// P B P for symmetric P and B.
-#[inline]
-fn sandwich(p: &Sym3<f32>, b: &Sym3<f32>) -> Sym3<f32> {
-    let full = |s: &Sym3<f32>| [[s[0], s[1], s[2]], [s[1], s[3], s[4]], [s[2], s[4], s[5]]];
-    let m = mul_mat(&mul_mat(&full(p), &full(b)), &full(p));
-    [m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2]]
 }
 
 /// Inverse of a symmetric positive definite block by cofactors. Where rounding has made the
@@ -79,6 +75,7 @@ fn inverse(a: &Sym3<f32>, [dx, dy, dz]: [f32; 3]) -> Sym3<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::mul_mat;
 
     #[test]
     fn inverse_of_a_block() {

@@ -22,7 +22,7 @@ pub use factor::Factor;
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
 use crate::operator::{Operator, RotationBlock};
-use crate::vector::{multiply_blocks, sym_mul};
+use crate::vector::{multiply_blocks, multiply_in_place};
 use coarse::Coarse;
 use local::Local;
 
@@ -101,7 +101,7 @@ impl<'a> Preconditioner<'a> {
             }
             _ => {
                 if let Some(local) = self.local() {
-                    local.prepare(operator.inertia, (!touches).then_some(filter), blocks);
+                    local.prepare(operator.inertia, filter, touches, blocks);
                 }
             }
         }
@@ -142,9 +142,9 @@ impl Prepared<'_> {
                 solve(factor, filter, self.blocks, r, z);
             }
             _ if self.touches => {
-                for (((z, r), p), block) in z.iter_mut().zip(r).zip(filter).zip(self.blocks) {
-                    *z = sym_mul(p, &sym_mul(block, &sym_mul(p, r)));
-                }
+                multiply_blocks(z, filter, r);
+                multiply_in_place(z, self.blocks);
+                multiply_in_place(z, filter);
             }
             _ => multiply_blocks(z, self.blocks, r),
         }
@@ -179,7 +179,5 @@ fn solve(
     for (z, rows) in z.iter_mut().zip(rotations) {
         *z = warp::turn(rows, z);
     }
-    for (z, p) in z.iter_mut().zip(filter) {
-        *z = sym_mul(p, z);
-    }
+    multiply_in_place(z, filter);
 }

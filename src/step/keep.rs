@@ -7,7 +7,7 @@ use crate::coupling::hook::Couple;
 use crate::element::Sym3;
 use crate::rest::Points;
 use crate::scene::Scene;
-use crate::vector::{copy, sym_mul};
+use crate::vector::{copy, project};
 
 /// v⁺ in m/s, and x⁺ from it. Returns the first node that is not finite.
 #[expect(clippy::too_many_arguments, reason = "all that a step ends with")]
@@ -27,7 +27,7 @@ pub(super) fn advance<C: Couple>(
     for (node, (((x, v), p), (x_new, v_new))) in old.zip(new).enumerate() {
         *v_new = v_new.map(|v| v * units.velocity);
         // The constrained part of v(t) is that of v⁺.
-        let change = sym_mul(p, &core::array::from_fn(|a| v_new[a] - v[a]));
+        let change = project(p, &core::array::from_fn(|a| v_new[a] - v[a]));
         *x_new = core::array::from_fn(|a| x[a] + h * (v_new[a] - (1.0 - theta) * change[a]));
         if !C::SOME || node < touched {
             land(scene.colliders, h, rest.header.length_unit, x, x_new, v_new);

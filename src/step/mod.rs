@@ -47,7 +47,8 @@ use check::check;
 use keep::commit;
 use system::{Filtered, filtered_norm, search_along};
 pub(crate) use units::Units;
-use units::{add_explicit, add_free, external_impulses};
+pub(crate) use units::add_free;
+use units::{add_explicit, external_impulses};
 
 /// Advances a body by one step. Its cost depends on the mesh, the lengths of the scene's lists and
 /// the settings; not on the state.
@@ -242,13 +243,16 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         .add_stiffness::<R>(work.q, work.r);
     }
     let rhs = filtered_norm(system.filter, work.r);
-    let mut rhs_size = system.size_of(work.r, work.q);
     let guessed = matches!(settings.start, Start::Velocity | Start::VelocityForce);
-    if guessed || scene.moves() {
-        system.apply(work.v, work.q);
-        add_scaled(work.r, -1.0, work.q);
-        let moved = system.size_of(work.r, work.q);
-        rhs_size = select(moved > rhs_size, moved, rhs_size);
+    // Of b, and of what the start leaves of it.
+    let mut rhs_size = 0.0;
+    for start in 0..1 + u32::from(guessed || scene.moves()) {
+        if start > 0 {
+            system.apply(work.v, work.q);
+            add_scaled(work.r, -1.0, work.q);
+        }
+        let size = system.size_of(work.r, work.q);
+        rhs_size = select(size > rhs_size, size, rhs_size);
     }
 
     // W, and the Galerkin solution over it.
@@ -285,8 +289,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     space.orthonormalise(&system);
     space.project(&system, work.v, work.r);
     if touches {
-        system.apply(work.p, work.q);
-        space.close_gap(work.v, work.r, work.p, work.q);
+        space.close_gap(&system, work.v, work.r, work.p, work.q);
     }
     let residual_before = filtered_norm(system.filter, work.r);
 

@@ -9,7 +9,7 @@ use crate::lane::Lanes;
 use crate::math::{ratio_or_zero, sqrt};
 use crate::operator::Operator;
 use crate::preconditioner::Prepared;
-use crate::vector::{self, dot, sym_mul};
+use crate::vector::{self, dot, multiply_blocks, sym_mul};
 
 /// The system as the solver sees it.
 pub(super) struct Filtered<'a, L: Layout, R, C> {
@@ -38,6 +38,7 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
     }
     /// Impulses of contacts are of b's size, and a u whose normal is not along an axis lets a rounding of them
     /// through. Pins have an exact P.
+    #[inline(never)]
     fn dot(&self, u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
         if self.colliders.is_empty() {
             dot(u, r)
@@ -49,7 +50,7 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
         if self.preconditioner.is_cheap() {
             rz
         } else {
-            filtered_square(self.filter, r)
+            filtered_dot(self.filter, r, r)
         }
     }
     fn filter(&self) -> &[Sym3<f32>] {
@@ -89,18 +90,7 @@ impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
 
 /// ‖P u‖
 pub(super) fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
-    sqrt(filtered_square(filter, u))
-}
-
-/// ‖P u‖²
-#[inline(never)]
-pub(super) fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
-    let mut sum = 0.0;
-    for (p, u) in filter.iter().zip(u) {
-        let u = sym_mul(p, u);
-        sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
-    }
-    sum
+    sqrt(filtered_dot(filter, u, u))
 }
 
 /// u · P r
@@ -122,9 +112,7 @@ pub(super) fn search_along<L: Layout, R: Lanes, C: Couple>(
     system: &Filtered<'_, L, R, C>,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
 ) {
-    for ((p, v), filter) in p.iter_mut().zip(&*v).zip(&*system.filter) {
-        *p = sym_mul(filter, v);
-    }
+    multiply_blocks(p, system.filter, v);
     system.apply(p, q);
     let (rp, pap) = (system.dot(p, r), system.dot(p, q));
     vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);

@@ -6,7 +6,7 @@ use crate::math::power_of_two_below;
 use crate::rest::{Points, Rest};
 use crate::scene::Scene;
 use crate::settings::Settings;
-use crate::vector::sym_mul;
+use crate::vector::project;
 
 /// The step's numbers, in units where one node's mass and one element a step are of order one.
 pub(crate) struct Units {
@@ -74,10 +74,10 @@ pub(super) fn external_impulses(
 
 /// `out` += P v(t), over the velocity unit
 #[inline(never)]
-pub(super) fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32; 3]]) {
+pub(crate) fn add_free(v: &[[f32; 3]], filter: &[Sym3<f32>], units: &Units, out: &mut [[f32; 3]]) {
     let per_unit = 1.0 / units.velocity;
     for ((out, v), p) in out.iter_mut().zip(v).zip(filter) {
-        let free = sym_mul(p, v);
+        let free = project(p, v);
         *out = core::array::from_fn(|a| out[a] + free[a] * per_unit);
     }
 }
@@ -91,7 +91,7 @@ pub(super) fn add_explicit(
     out: &mut [[f32; 3]],
 ) {
     for (((out, b), p), m) in out.iter_mut().zip(rhs).zip(filter).zip(rest.masses) {
-        let free = sym_mul(p, b);
+        let free = project(p, b);
         *out = core::array::from_fn(|a| out[a] + free[a] * (units.mass / m));
     }
 }

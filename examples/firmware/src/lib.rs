@@ -9,6 +9,13 @@ pub use riscv_rt::entry;
 #[cfg(target_arch = "arm")]
 pub mod stack;
 
+/// The interrupts of a processor that has none: the runtime wants one entry.
+#[cfg(target_arch = "arm")]
+// SAFETY: the section and the name are those that the runtime asks for, and the entry is never taken.
+#[unsafe(link_section = ".vector_table.interrupts")]
+#[unsafe(no_mangle)]
+pub static __INTERRUPTS: [usize; 1] = [0];
+
 /// The panic handler of the programs that print: says where, and exits with 101.
 #[macro_export]
 macro_rules! report_panics {
