@@ -30,10 +30,10 @@ pub(crate) trait System {
     fn filter(&self) -> &[Sym3<f32>];
     /// Whether surfaces may change P during the solve.
     fn touches(&self) -> bool;
-    /// Widens P where a surface would pull, given the whole residual r. Returns whether it did.
-    fn release(&mut self, r: &[[f32; 3]]) -> bool;
-    /// Narrows P where `v` enters a surface, and writes to `g` what `v` lacks. Returns whether it did.
-    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]]) -> bool;
+    /// If `now`: widens P where a surface would pull, given the whole residual r. Returns whether it did.
+    fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool;
+    /// If `now`: narrows P where `v` enters a surface, and writes to `g` what `v` lacks. Returns whether it did.
+    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]], now: bool) -> bool;
 }
 
 /// Residuals below this part (squared) of the right-hand side are rounding: (2⁻²²)², two bits
@@ -43,8 +43,8 @@ const ROUNDING: f32 = 1.0 / (1_u64 << 44) as f32;
 /// Runs exactly `iterations` iterations from the iterate `v` with residual `r` ⟂ W; `p` and `q` are
 /// scratch. `rhs_size` is [`System::size`] of b. Returns after how many iterations the update froze.
 ///
-/// Where there are surfaces, it is one iteration more, and from the middle on, what pulls is let go. In the middle, what `v` moves
-/// into a surface is taken in: if there is something, that iteration brings it back instead, W is given up, and the
+/// Where there are surfaces, it is one iteration more; with three or more, from the middle on, what pulls is let go. In the middle,
+/// what `v` moves into a surface is taken in: if there is something, that iteration brings it back instead, W is given up, and the
 /// search begins anew. That is an active-set method with a fixed number of products (for its exact kin see Dostál and
 /// Schöberl 2005).
 pub(crate) fn solve(
@@ -58,10 +58,12 @@ pub(crate) fn solve(
         let relative = ROUNDING * rhs_size;
         select(relative > NOTHING, relative, NOTHING)
     };
-    let (products, middle) = if system.touches() && iterations > 0 {
+    let touches = system.touches();
+    // Decisions need an iterate that means something.
+    let decides = iterations > 2;
+    let (products, middle) = if touches {
         let products = iterations.saturating_add(1);
-        // Not before two iterations: decisions need an iterate that means something.
-        (products, (products / 2).max(iterations.min(2)))
+        (products, products / 2)
     } else {
         (iterations, u32::MAX)
     };
@@ -69,11 +71,11 @@ pub(crate) fn solve(
     p.fill([0.0; 3]);
     for k in 0..products {
         let (mut released, mut entered) = (false, false);
-        if k >= middle {
-            released = system.release(r);
+        if touches {
+            released = system.release(r, decides & (k >= middle));
         }
         if k == middle {
-            entered = system.enter(v, q);
+            entered = system.enter(v, q, decides);
             let stays = Mask::of(!entered);
             keep_or_take(p, stays, q);
             space.hold(system.filter(), stays);

@@ -5,13 +5,13 @@
 //! node's velocity is its *target* c_i. Free nodes pay the same, so the cost does not depend on who
 //! touches what.
 //!
-//! **Contact** is decided before the solve, in one pass over nodes and colliders. Node i, its
+//! **Before the solve**, one pass over nodes and colliders says who touches. Node i, its
 //! neighbours moving along with it, would take the velocity w = v + h f/a with a = tr(A_ii)/3: one
 //! node's row of A v⁺ = b. With signed distance d, normal n, and the surface's velocity s,
 //!
 //! ```text
 //! N = −(w − s⁻)·n − d/h         impulse (over a) that would keep the node out
-//! active:  N > 0;   or d > margin and d + h (v − s)·n < 0
+//! active:  N > 0
 //! it moves with the surface, c·n = s·n, and closes the gap: c_gap·n = −τ max(d, 0)/h with 0 ≤ τ ≤ 1
 //! |w_t − s⁻_t| ≤ μN: it sticks, c_t = s_t
 //! else it slides:     −γ (v⁺_t − s_t) acts on it, γ = aμN / (|w_t − s⁻_t| − μN)
@@ -26,17 +26,24 @@
 //! as sliding ends it passes over into sticking. γ is a node's share of A's diagonal.
 //!
 //! In a body at rest or in steady sliding, h f holds what the constraint held in the step before, so
-//! N is that step's constraint impulse: Coulomb's law is exact there without any memory, a node
-//! that is pulled (N < 0) is released at the next step, and a state needs no contact history.
+//! N is that step's constraint impulse: Coulomb's law is exact there without any memory, and a state needs no
+//! contact history.
 //!
 //! τ is one number for the body, and belongs to the Galerkin solution: nodes that were told to reach the
 //! surface (τ = 1) while a truncated solve stops the rest of the body would store energy that was
 //! never there.
 //!
-//! Nodes that the solve moves into a surface nevertheless are put back on it after it, and so are nodes
-//! that start a step inside. So no node ends a step inside: to rounding of its coordinates for one
+//! **During the solve**, from its middle on and with a budget of three iterations or more, who is held is made right by what
+//! the iterate says, as in an active-set method for the complementarity problem v⁺·n ≥ −d/h, impulse ≥ 0 (Dostál and Schöberl
+//! 2005), but with a fixed number of products: nodes whose impulse (b − A v)·n would pull are let go, and those that v
+//! moves into a surface are taken in (without friction in that step). A let-go node keeps its γ until the next step.
+//! What would pull after the last iteration is let go, too: it is part of the residual, and goes to zero with it.
+//!
+//! **After it**, nodes that are inside nevertheless are put back on the surface, and so are nodes that start a step
+//! inside. So no node ends a step inside: to rounding of its coordinates for one
 //! collider; for several, to what correcting one after the other leaves where they meet at an acute
-//! angle. Putting back strains: in bodies of h²E/(ρ·dx²) above 10 it may add energy, unless the feature
+//! angle. Putting back strains, which truncated solves have not relaxed: in bodies of h²E/(ρ·dx²) above 10 it may add
+//! energy, and where surfaces have valleys a little in softer ones, unless the feature
 //! `energy-guard` is there and [`Settings`](crate::Settings) ask for it.
 
 use bytemuck::{Pod, Zeroable};
@@ -200,10 +207,11 @@ pub(crate) fn touch(
     contacts
 }
 
-/// Takes in the free nodes that `v` (over the velocity unit) moves into a surface, without friction, and writes to `g` what
+/// If `now`, takes in the free nodes that `v` (over the velocity unit) moves into a surface, without friction, and writes to `g` what
 /// brings to the surface whoever would be inside. Returns whether there were any to take in.
 #[inline(never)]
 pub(crate) fn enter(
+    now: bool,
     colliders: &[Collider<'_>],
     step: &ContactStep<'_>,
     v: &[[f32; 3]],
@@ -226,8 +234,8 @@ pub(crate) fn enter(
         );
         let free = project(p, &n.to_array());
         let share = n.dot(Vec3::from_array(free));
-        let enters = share > 1e-3;
-        let pinned = !enters & (Vec3::from_array(*normal) == Vec3::ZERO);
+        let enters = now & (share > 1e-3);
+        let pinned = (share <= 1e-3) & (Vec3::from_array(*normal) == Vec3::ZERO);
         *g = (way * select(pinned, 0.0, per_step)).to_array();
         hold(enters, p, &free, share);
         add_if(enters, normal, n);
@@ -242,13 +250,18 @@ pub(crate) fn held(normals: &[[f32; 3]]) -> u32 {
     normals.iter().map(holds).sum()
 }
 
-/// Releases the nodes that contact would pull: −(1 − P) r is its impulse. Returns whether there were any. Where several
+/// If `now`, releases the nodes that contact would pull: −(1 − P) r is its impulse. Returns whether there were any. Where several
 /// surfaces hold a node, it is released by all, if their sum pulls.
 #[inline(never)]
-pub(crate) fn release(r: &[[f32; 3]], filter: &mut [Sym3<f32>], normals: &mut [[f32; 3]]) -> bool {
+pub(crate) fn release(
+    now: bool,
+    r: &[[f32; 3]],
+    filter: &mut [Sym3<f32>],
+    normals: &mut [[f32; 3]],
+) -> bool {
     let mut some = false;
     for ((r, p), n) in r.iter().zip(filter).zip(normals) {
-        let pulls = n[0] * r[0] + n[1] * r[1] + n[2] * r[2] > 0.0;
+        let pulls = now & (n[0] * r[0] + n[1] * r[1] + n[2] * r[2] > 0.0);
         let (keep, free) = (select(pulls, 0.0, 1.0), select(pulls, 1.0, 0.0));
         for (entry, one) in p.iter_mut().zip(FREE) {
             *entry = *entry * keep + one * free;

@@ -121,7 +121,7 @@ pub struct StepReport {
     pub residual_after: f32,
     /// Iterations that moved the solution; the rest came after the residual had sunk to rounding.
     pub updates: u32,
-    /// Contacts between nodes and colliders.
+    /// Contacts between nodes and colliders, as they were when the solve began.
     pub contacts: u32,
     /// Energy that plastic flow took in this step, in joules; not negative.
     #[cfg(feature = "plasticity")]

@@ -246,18 +246,16 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// With a guard over contact's energy, for one more product with A and pass for the forces in scenes with
+    /// With a guard over contact's energy, for two more products with A in scenes with
     /// colliders ([`Budget::cost`] does not have them).
     ///
-    /// A node that a solve moves into a surface is put back on it. That strains the body; if it is stiff (h²E/(ρ·dx²)
-    /// above 10), by more energy than it brought. With the guard, a step that would end with more energy than it
-    /// began with, E (kinetic, elastic and potential, with the rotations at its begin), ends at a part 0 ≤ s < 1 of its
-    /// displacements and velocities instead, so that E does not rise by more than a body gains that falls from rest
-    /// for one step, ½m(gh)²: at every stiffness, start, preconditioner and number of iterations, to rounding. (Without
-    /// that much, a body could hang where every move costs energy. Where a surface bends, a node that ends inside after
-    /// all is put back once more; the tests allow twice as much there.)
+    /// Nodes that the last iterations move into a surface are put back on it, which strains the body. With the guard, the step
+    /// then ends at the least of its energy along its own displacements u, at a part 0 ≤ s ≤ 1 of them: where uᵀ(b − A u)
+    /// is not negative, which is all that (8) of the front page asks for. So no step with contact adds energy (kinetic,
+    /// elastic and potential, with the rotations at its begin): at every stiffness, start, preconditioner and number of
+    /// iterations, to rounding, and on every shape.
     ///
-    /// It acts where a node touches or is put back, θ = 1, and nothing moves by itself: pins held, colliders at rest.
+    /// It acts where θ = 1 and nothing moves by itself: pins held, colliders at rest.
     /// Coupled steps don't have it.
     #[cfg(feature = "energy-guard")]
     #[must_use]

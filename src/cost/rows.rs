@@ -110,7 +110,7 @@ const MORE: usize = OWN.0 + OWN.1 * Kind::ALL.len();
 /// How often a step pays each of [`ROWS`].
 #[must_use]
 pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
-    let (k, w) = (u64::from(budget.iterations), load.start.vectors() as u64);
+    let (k, w) = (iterations(load, budget), load.start.vectors() as u64);
     let coupled = load.coupled.parts() > 0;
     let free = u64::from(load.start.is_augmented() && load.pins == 0 && !coupled);
     let touching = u64::from(load.colliders > 0);
@@ -166,6 +166,11 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
     })
 }
 
+/// Those of the solver: one more where there are colliders.
+fn iterations(load: &Load, budget: Budget) -> u64 {
+    u64::from(budget.iterations) + u64::from(load.colliders > 0)
+}
+
 /// Shapes of colliders, plastic flow and fracture.
 fn inelastic(load: &Load) -> [u64; 8] {
     let of = &load.shapes;
@@ -187,7 +192,7 @@ fn inelastic(load: &Load) -> [u64; 8] {
 /// Bodies in one system.
 fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
     let coupled = u64::from(load.coupled.parts() > 0);
-    let (k, w) = (u64::from(budget.iterations), load.start.vectors() as u64);
+    let (k, w) = (iterations(load, budget), load.start.vectors() as u64);
     let (k, w) = (coupled * k, coupled * w);
     let [parts, rigids, links, slots] = load.coupled.counts();
     let without = u64::from(load.colliders == 0) * coupled;

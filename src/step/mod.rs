@@ -301,7 +301,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
     );
     // What would pull now is let go: from here on it counts as residual.
-    system.release(work.r);
+    system.release(work.r, true);
     space.project(&system, work.v, work.r);
     if settings.start == Start::Zero {
         search_along(
@@ -312,7 +312,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     let residual_after = filtered_norm(system.filter, work.r);
     if settings.guards_energy() && touches && !C::SOME && units.theta == 1.0 && !scene.moves() {
         // What the last iterations have moved in, with the energy that bringing it back takes.
-        let entered = system.enter(work.v, work.p);
+        let entered = system.enter(work.v, work.p, true);
         space.hold(system.filter, Mask::of(!entered));
         system.apply(work.p, work.q);
         advance(work.v, work.r, 1.0, work.p, work.q);

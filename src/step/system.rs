@@ -50,7 +50,7 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
         if self.preconditioner.is_cheap() {
             rz
         } else {
-            filtered_dot(self.filter, r, r)
+            filtered_square(self.filter, r)
         }
     }
     fn filter(&self) -> &[Sym3<f32>] {
@@ -59,11 +59,12 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
     fn touches(&self) -> bool {
         !self.colliders.is_empty()
     }
-    fn release(&mut self, r: &[[f32; 3]]) -> bool {
-        constraint::release(r, self.filter, self.normals)
+    fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool {
+        constraint::release(now, r, self.filter, self.normals)
     }
-    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]]) -> bool {
+    fn enter(&mut self, v: &[[f32; 3]], g: &mut [[f32; 3]], now: bool) -> bool {
         constraint::enter(
+            now,
             self.colliders,
             self.contact,
             v,
@@ -90,7 +91,18 @@ impl<L: Layout, R: Lanes, C: Couple> Filtered<'_, L, R, C> {
 
 /// ‖P u‖
 pub(super) fn filtered_norm(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
-    sqrt(filtered_dot(filter, u, u))
+    sqrt(filtered_square(filter, u))
+}
+
+/// ‖P u‖²: not u · P u, which rounding can make negative.
+#[inline(never)]
+fn filtered_square(filter: &[Sym3<f32>], u: &[[f32; 3]]) -> f32 {
+    let mut sum = 0.0;
+    for (p, u) in filter.iter().zip(u) {
+        let u = sym_mul(p, u);
+        sum += u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    }
+    sum
 }
 
 /// u · P r

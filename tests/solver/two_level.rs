@@ -98,7 +98,7 @@ impl<L: Layout> Case<L> {
             &self.setup.x,
             &self.rotations,
             &self.filter,
-            false,
+            true,
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );

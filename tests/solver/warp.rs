@@ -61,7 +61,7 @@ impl Placed {
             &self.setup.x,
             &self.rotations,
             &self.filter,
-            false,
+            true,
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );
