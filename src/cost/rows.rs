@@ -6,7 +6,7 @@ use crate::settings::{Budget, Start};
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; then what the crate's features add, each beside the
 /// rows before; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 87] = [
+pub const ROWS: [(&str, [bool; SIZES]); 88] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -17,6 +17,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 87] = [
     ("translations, an iteration", NODES),
     ("colliders, a vector", NODES),
     ("colliders, an iteration", NODES),
+    ("colliders, an iteration with a factor", NODES),
     ("a collider", NODES),
     ("a pin", ONCE),
     ("pins or colliders that move", ALL),
@@ -103,7 +104,7 @@ const ALL: [bool; SIZES] = [true, true, true, true, true, false];
 const FACTOR: [bool; SIZES] = [true; SIZES];
 
 /// The row where those of the preconditioners begin, and how many each has.
-const OWN: (usize, usize) = (30, 3);
+const OWN: (usize, usize) = (31, 3);
 /// The row where those of features begin.
 const MORE: usize = OWN.0 + OWN.1 * Kind::ALL.len();
 
@@ -131,6 +132,7 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         free * k,
         touching * w,
         touching * k,
+        touching * k * u64::from(factored(load)),
         load.colliders as u64,
         load.pins as u64,
         u64::from(load.moving) * (1 - guessed),
@@ -164,6 +166,13 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
             .or_else(|| of(MORE + inelastic.len(), &couplings))
             .unwrap_or(0)
     })
+}
+
+fn factored(load: &Load) -> bool {
+    matches!(
+        load.preconditioner,
+        Kind::Warped | Kind::WarpedHalf | Kind::Laplacian | Kind::LaplacianHalf
+    )
 }
 
 /// Those of the solver: one more where there are colliders.
@@ -205,10 +214,7 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
     let more = u64::from(guessed || load.moving);
     let last = u64::from(load.start == Start::Zero);
     let applications = coupled * (k + w + more + last + u64::from(load.colliders > 0));
-    let factored = matches!(
-        load.preconditioner,
-        Kind::Warped | Kind::WarpedHalf | Kind::Laplacian | Kind::LaplacianHalf
-    );
+    let factored = factored(load);
     let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
     let projections = 2 + applications + k + w + sizes;

@@ -13,6 +13,7 @@ pub(super) const CORTEX_M4F: Table = [
     [526, 402, 2, 0, 0, 0],                  // translations, an iteration
     [2756, 608, 368, 0, 0, 0],               // colliders, a vector
     [-57, 400, 1, 0, 0, 0],                  // colliders, an iteration
+    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
     [732, 9208, 3, 0, 0, 0],                 // a collider
     [505, 0, 0, 0, 0, 0],                    // a pin
     [5111, 976, 286, 22259, 13484, 0],       // pins or colliders that move
@@ -103,6 +104,7 @@ pub(super) const X86_64: Table = [
     [818, 232, 13, 0, 0, 0],                 // translations, an iteration
     [2060, 268, 277, 0, 0, 0],               // colliders, a vector
     [656, 378, 141, 0, 0, 0],                // colliders, an iteration
+    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
     [870, 9718, 5, 0, 0, 0],                 // a collider
     [378, 0, 0, 0, 0, 0],                    // a pin
     [6072, 696, 317, 10112, 11464, 0],       // pins or colliders that move
@@ -193,6 +195,7 @@ pub(super) const AARCH64: Table = [
     [1287, 181, 106, 0, 0, 0],              // translations, an iteration
     [1671, 211, 351, 0, 0, 0],              // colliders, a vector
     [940, 189, 197, 0, 0, 0],               // colliders, an iteration
+    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
     [698, 7863, 6, 0, 0, 0],                // a collider
     [556, 0, 0, 0, 0, 0],                   // a pin
     [5571, 394, 608, 7776, 9712, 0],        // pins or colliders that move
