@@ -3,274 +3,274 @@
 use super::Table;
 
 pub(super) const CORTEX_M4F: Table = [
-    [-397, 0, 0, 9266, 1, 0],                // any sweeps
-    [99, 0, 0, 27796, 0, 0],                 // a sweep
-    [23629, 6254, 1095, 22753, 13472, 0],    // a stored vector
-    [3670, 782, 555, 0, 0, 0],               // a pair of them
-    [1851, 389, 277, 0, 0, 0],               // a vector and iteration
-    [3384, 2296, -7, 0, 0, 0],               // translations
-    [1104, 940, 3, 0, 0, 0],                 // translations, a vector
-    [526, 402, 2, 0, 0, 0],                  // translations, an iteration
-    [2756, 608, 368, 0, 0, 0],               // colliders, a vector
-    [-57, 400, 1, 0, 0, 0],                  // colliders, an iteration
-    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
-    [732, 9208, 3, 0, 0, 0],                 // a collider
-    [505, 0, 0, 0, 0, 0],                    // a pin
-    [5111, 976, 286, 22259, 13484, 0],       // pins or colliders that move
-    [2709, 936, 2, 22108, 13473, 0],         // newmark
-    [401, 450, 1, 0, 0, 0],                  // forces
-    [12085, 4782, 77, 22509, 13473, 0],      // start from velocity
-    [11909, 4814, 77, 22509, 13473, 0],      // start from velocity and force
-    [14017, 4604, 354, 22570, 13472, 0],     // start from rest
-    [-7270, -3464, 196, 0, 0, 0],            // a past velocity
-    [-22703, -10162, 588, 0, 0, 0],          // rotations
-    [673, -4, 0, 0, 0, 0],                   // held by pins
-    [10206, 1981, 1167, 0, 0, 0],            // coarse: an application more
-    [2323, 0, 0, 0, 0, 0],                   // coarse: an aggregate
-    [21589, 0, 0, 0, 0, 0],                  // coarse: its square
-    [4582, 0, 0, 0, 0, 0],                   // coarse: its cube
+    [-130, 0, 0, 9559, 4, 0],                // any sweeps
+    [31, 0, 0, 27306, -1, 0],                // a sweep
+    [24032, 6420, 1037, 22749, 13472, 0],    // a stored vector
+    [3913, 779, 552, 0, 0, 0],               // a pair of them
+    [1532, 390, 274, 0, 0, 0],               // a vector and iteration
+    [2011, 2490, -32, 0, 0, 0],              // translations
+    [1377, 890, 11, 0, 0, 0],                // translations, a vector
+    [1925, 395, 8, 0, 0, 0],                 // translations, an iteration
+    [2102, 1453, -36, 0, 0, 0],              // colliders, a vector
+    [1535, 2721, -567, 0, 0, 0],             // colliders, an iteration
+    [302, -831, 14, 0, 0, 0],                // colliders, an iteration with a factor
+    [-11860, 16814, -97, 0, 0, 0],           // a collider
+    [14034, 0, 0, 0, 0, 0],                  // a pin
+    [-3747, 1175, 270, 22419, 13530, 0],     // pins or colliders that move
+    [43, 1126, -15, 22206, 13471, 0],        // newmark
+    [-2773, 485, -13, 0, 0, 0],              // forces
+    [11501, 4931, 5, 22601, 13467, 0],       // start from velocity
+    [11261, 4979, 5, 22601, 13467, 0],       // start from velocity and force
+    [13627, 4552, 266, 22610, 13468, 0],     // start from rest
+    [-7611, -3213, 254, 0, 0, 0],            // a past velocity
+    [-24181, -9637, 765, 0, 0, 0],           // rotations
+    [-14060, 45, -7, 0, 0, 0],               // held by pins
+    [26317, 1805, 1221, 0, 0, 0],            // coarse: an application more
+    [2238, 0, 0, 0, 0, 0],                   // coarse: an aggregate
+    [21610, 0, 0, 0, 0, 0],                  // coarse: its square
+    [4581, 0, 0, 0, 0, 0],                   // coarse: its cube
     [33087, 0, 0, 0, 0, 0],                  // coarse: a cut block
-    [111651, 0, 0, 0, 0, 0],                 // coarse: a product
-    [12262, 0, 0, 0, 0, 0],                  // coarse: a sum
-    [12238, 0, 0, 0, 0, 0],                  // coarse: an aggregate, an application
+    [111638, 0, 0, 0, 0, 0],                 // coarse: a product
+    [12266, 0, 0, 0, 0, 0],                  // coarse: a sum
+    [12234, 0, 0, 0, 0, 0],                  // coarse: an aggregate, an application
     [3357, 0, 0, 0, 0, 0],                   // coarse: its square, an application
-    [14873, 3078, 444, 57911, 13161, 0],     // identity: step
-    [23772, 6382, 993, 101217, 45065, 0],    // identity: step with colliders
-    [10756, 1745, 829, 22326, 13472, 0],     // identity: iteration
-    [14969, 3110, 444, 57911, 13161, 0],     // mass: step
-    [23868, 6414, 993, 101217, 45065, 0],    // mass: step with colliders
-    [10756, 1745, 829, 22326, 13472, 0],     // mass: iteration
-    [15512, 4238, 444, 72969, 25049, 0],     // jacobi: step
-    [24033, 7269, 995, 101180, 45065, 0],    // jacobi: step with colliders
-    [10799, 1741, 829, 22336, 13472, 0],     // jacobi: iteration
-    [15711, 5318, 444, 78935, 31593, 0],     // block-jacobi: step
-    [23821, 8462, 993, 101217, 45065, 0],    // block-jacobi: step with colliders
-    [10754, 1745, 829, 22326, 13472, 0],     // block-jacobi: iteration
-    [14540, 7249, 283, 72644, 31545, 0],     // warped: step
-    [23451, 10552, 832, 115951, 63449, 0],   // warped: step with colliders
-    [13178, 5063, 65, 18395, 13472, 1615],   // warped: iteration
-    [14538, 7249, 283, 72644, 31545, 0],     // warped-half: step
-    [23454, 10552, 832, 115951, 63449, 0],   // warped-half: step with colliders
-    [11861, 6237, 827, 22314, 13472, 1986],  // warped-half: iteration
-    [13009, 1646, 256, 57867, 13161, 0],     // laplacian: step
-    [21921, 4949, 805, 101174, 45065, 0],    // laplacian: step with colliders
-    [13709, 3392, -167, 17198, 13472, 1290], // laplacian: iteration
-    [13009, 1646, 256, 57867, 13161, 0],     // laplacian-half: step
-    [21922, 4949, 805, 101174, 45065, 0],    // laplacian-half: step with colliders
-    [13572, 3514, -88, 17604, 13472, 1328],  // laplacian-half: iteration
-    [35837, 21293, 351, 84776, 31548, 0],    // two-level: step
-    [44121, 24426, 897, 107088, 45012, 0],   // two-level: step with colliders
-    [13732, 3882, 833, 22382, 13471, 0],     // two-level: iteration
-    [499, 1345, -5, 0, 0, 0],                // a sphere
-    [1618, 5229, 34, 0, 0, 0],               // a capsule
-    [1626, 9932, 36, 0, 0, 0],               // a box
-    [1627, 10124, 36, 0, 0, 0],              // a height field
-    [125, 11102, 4, 0, 0, 0],                // a frame
-    [5371, 0, 0, 71995, 14346, 0],           // plastic flow
-    [4719, 0, 0, 229998, 535, 0],            // fracture
+    [17862, 3196, 515, 58386, 13125, 0],     // identity: step
+    [36966, 12681, 931, 101298, 44986, 0],   // identity: step with colliders
+    [11354, 1757, 829, 22290, 13471, 0],     // identity: iteration
+    [17958, 3228, 515, 58386, 13125, 0],     // mass: step
+    [37062, 12713, 931, 101298, 44986, 0],   // mass: step with colliders
+    [11354, 1757, 829, 22290, 13471, 0],     // mass: iteration
+    [18988, 4331, 519, 73394, 25018, 0],     // jacobi: step
+    [27113, 14019, 857, 100851, 44980, 0],   // jacobi: step with colliders
+    [11795, 1751, 829, 22322, 13471, 0],     // jacobi: iteration
+    [18651, 5418, 515, 79439, 31510, 0],     // block-jacobi: step
+    [37008, 14742, 930, 101311, 44988, 0],   // block-jacobi: step with colliders
+    [11360, 1758, 829, 22284, 13471, 0],     // block-jacobi: iteration
+    [17094, 8004, 357, 72981, 31511, 0],     // warped: step
+    [34996, 16408, 935, 115977, 63367, 0],   // warped: step with colliders
+    [13712, 5072, 65, 18373, 13472, 1613],   // warped: iteration
+    [17076, 8005, 357, 72977, 31511, 0],     // warped-half: step
+    [35054, 16403, 935, 115989, 63367, 0],   // warped-half: step with colliders
+    [12389, 6247, 827, 22292, 13472, 1983],  // warped-half: iteration
+    [15646, 2402, 330, 58329, 13127, 0],     // laplacian: step
+    [33528, 10807, 908, 101321, 44983, 0],   // laplacian: step with colliders
+    [14243, 3399, -168, 17174, 13472, 1288], // laplacian: iteration
+    [15644, 2402, 330, 58328, 13127, 0],     // laplacian-half: step
+    [33536, 10807, 908, 101323, 44983, 0],   // laplacian-half: step with colliders
+    [14106, 3521, -89, 17580, 13472, 1326],  // laplacian-half: iteration
+    [38819, 21390, 417, 85306, 31462, 0],    // two-level: step
+    [57631, 30694, 840, 107209, 44928, 0],   // two-level: step with colliders
+    [14365, 3895, 835, 22337, 13470, 0],     // two-level: iteration
+    [-8583, 2226, 69, 0, 0, 0],              // a sphere
+    [-4208, 5014, 142, 0, 0, 0],             // a capsule
+    [-4373, 12857, 138, 0, 0, 0],            // a box
+    [-4092, 13178, 133, 0, 0, 0],            // a height field
+    [10539, 19333, -99, 0, 0, 0],            // a frame
+    [1103, 0, 0, 71251, 14404, 0],           // plastic flow
+    [6016, 0, 0, 230728, 510, 0],            // fracture
     [544, 0, 0, 4352, 0, 0],                 // fracture: a place
-    [17358, 3828, 2607, 19238, 13620, 0],    // couplings: step
-    [-11052, 1133, 1546, 17127, 18897, 0],   // couplings: diagonal where none was
-    [15716, -1163, -1436, 9043, 8449, 0],    // couplings: diagonal for jacobi
-    [2472, 229, 128, -1502, 1164, 0],        // couplings: beside colliders
-    [-39590, 0, 0, 0, 0, 0],                 // couplings: a rigid body and collider
-    [377, 46, -425, 0, 0, 0],                // couplings: an iteration
-    [3635, -47, 1532, 0, 0, 0],              // couplings: an iteration with a factor
-    [3963, 315, -2484, 4726, 176, -344],     // couplings: an iteration with half a factor
-    [134019, 0, 0, 0, 0, 0],                 // couplings: a slot
-    [46049, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
-    [4882, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
-    [45649, 0, 0, 0, 0, 0],                  // couplings: a link
-    [3732, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
-    [12807, 0, 0, 0, 0, 0],                  // couplings: a part
-    [906, 0, 0, 0, 0, 0],                    // couplings: a part and slot
-    [46802, 0, 0, 0, 0, 0],                  // couplings: a rigid body
-    [5647, 0, 0, 0, 0, 0],                   // couplings: a rigid body, a projection
-    [63408, 2339, 2224, 0, 0, 0],            // islands
-    [44934, 1045, -3305, 0, 0, 0],           // islands, a vector
-    [20102, 431, -172, 0, 0, 0],             // islands, an iteration
-    [2890, 0, 0, 0, 0, 0],                   // islands: a part
-    [1072, 0, 0, 0, 0, 0],                   // islands: a part, an operation
+    [32405, 2997, 2379, 18632, 13616, 0],    // couplings: step
+    [-10577, 1057, 1423, 17312, 19392, 0],   // couplings: diagonal where none was
+    [13916, -1130, -1309, 8904, 8458, 0],    // couplings: diagonal for jacobi
+    [44419, 1397, 2261, -3564, -310, 0],     // couplings: beside colliders
+    [-53114, 0, 0, 0, 0, 0],                 // couplings: a rigid body and collider
+    [873, 40, -403, 0, 0, 0],                // couplings: an iteration
+    [3393, -16, 1561, 0, 0, 0],              // couplings: an iteration with a factor
+    [3476, 365, -2326, 4483, 719, -285],     // couplings: an iteration with half a factor
+    [134071, 0, 0, 0, 0, 0],                 // couplings: a slot
+    [46061, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
+    [4884, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [45534, 0, 0, 0, 0, 0],                  // couplings: a link
+    [3780, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
+    [11149, 0, 0, 0, 0, 0],                  // couplings: a part
+    [895, 0, 0, 0, 0, 0],                    // couplings: a part and slot
+    [45438, 0, 0, 0, 0, 0],                  // couplings: a rigid body
+    [5626, 0, 0, 0, 0, 0],                   // couplings: a rigid body, a projection
+    [147941, 3482, 2155, 0, 0, 0],           // islands
+    [45950, 982, -3271, 0, 0, 0],            // islands, a vector
+    [20790, 430, -152, 0, 0, 0],             // islands, an iteration
+    [4394, 0, 0, 0, 0, 0],                   // islands: a part
+    [1173, 0, 0, 0, 0, 0],                   // islands: a part, an operation
 ];
 
 pub(super) const X86_64: Table = [
-    [-333, 0, 0, 9542, 10, 0],               // any sweeps
-    [125, 0, 0, 9821, 2, 0],                 // a sweep
-    [26821, 4028, 1332, 10162, 11440, 0],    // a stored vector
-    [2407, 385, 378, 0, 0, 0],               // a pair of them
-    [1220, 191, 189, 0, 0, 0],               // a vector and iteration
-    [4859, 1681, 126, 0, 0, 0],              // translations
-    [1543, 582, 25, 0, 0, 0],                // translations, a vector
-    [818, 232, 13, 0, 0, 0],                 // translations, an iteration
-    [2060, 268, 277, 0, 0, 0],               // colliders, a vector
-    [656, 378, 141, 0, 0, 0],                // colliders, an iteration
-    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
-    [870, 9718, 5, 0, 0, 0],                 // a collider
-    [378, 0, 0, 0, 0, 0],                    // a pin
-    [6072, 696, 317, 10112, 11464, 0],       // pins or colliders that move
-    [4845, 866, 81, 10068, 11447, 0],        // newmark
-    [705, 339, 18, 0, 0, 0],                 // forces
-    [17443, 3683, 530, 10100, 11448, 0],     // start from velocity
-    [17484, 3701, 554, 10112, 11448, 0],     // start from velocity and force
-    [18053, 3402, 604, 10059, 11449, 0],     // start from rest
-    [-12231, -2571, -98, 0, 0, 0],           // a past velocity
-    [-36688, -7535, -716, 0, 0, 0],          // rotations
-    [605, -3, 1, 0, 0, 0],                   // held by pins
-    [10515, 2086, 917, 0, 0, 0],             // coarse: an application more
-    [-19088, 0, 0, 0, 0, 0],                 // coarse: an aggregate
-    [34831, 0, 0, 0, 0, 0],                  // coarse: its square
-    [863, 0, 0, 0, 0, 0],                    // coarse: its cube
-    [29149, 0, 0, 0, 0, 0],                  // coarse: a cut block
-    [42637, 0, 0, 0, 0, 0],                  // coarse: a product
-    [10546, 0, 0, 0, 0, 0],                  // coarse: a sum
-    [16499, 0, 0, 0, 0, 0],                  // coarse: an aggregate, an application
+    [-172, 0, 0, 9511, -4, 0],               // any sweeps
+    [86, 0, 0, 9820, 6, 0],                  // a sweep
+    [26314, 3995, 1196, 10190, 11414, 0],    // a stored vector
+    [2582, 384, 382, 0, 0, 0],               // a pair of them
+    [958, 191, 183, 0, 0, 0],                // a vector and iteration
+    [3891, 1832, 56, 0, 0, 0],               // translations
+    [1757, 542, 44, 0, 0, 0],                // translations, a vector
+    [1962, 229, 25, 0, 0, 0],                // translations, an iteration
+    [2006, 795, 55, 0, 0, 0],                // colliders, a vector
+    [3651, 2579, -67, 0, 0, 0],              // colliders, an iteration
+    [-930, -791, -224, 0, 0, 0],             // colliders, an iteration with a factor
+    [-11724, 17514, -38, 0, 0, 0],           // a collider
+    [13444, 0, 0, 0, 0, 0],                  // a pin
+    [-2665, 843, 339, 10267, 11549, 0],      // pins or colliders that move
+    [2053, 1129, -61, 10098, 11430, 0],      // newmark
+    [-1806, 360, -16, 0, 0, 0],              // forces
+    [16293, 3614, 368, 10206, 11443, 0],     // start from velocity
+    [15927, 3774, 367, 10206, 11442, 0],     // start from velocity and force
+    [17216, 3056, 540, 10178, 11431, 0],     // start from rest
+    [-12003, -2108, -114, 0, 0, 0],          // a past velocity
+    [-38771, -5706, -496, 0, 0, 0],          // rotations
+    [-13457, 35, -22, 0, 0, 0],              // held by pins
+    [25411, 1953, 1027, 0, 0, 0],            // coarse: an application more
+    [-19162, 0, 0, 0, 0, 0],                 // coarse: an aggregate
+    [34850, 0, 0, 0, 0, 0],                  // coarse: its square
+    [862, 0, 0, 0, 0, 0],                    // coarse: its cube
+    [29136, 0, 0, 0, 0, 0],                  // coarse: a cut block
+    [42729, 0, 0, 0, 0, 0],                  // coarse: a product
+    [10548, 0, 0, 0, 0, 0],                  // coarse: a sum
+    [16436, 0, 0, 0, 0, 0],                  // coarse: an aggregate, an application
     [1168, 0, 0, 0, 0, 0],                   // coarse: its square, an application
-    [23765, 3492, -114, 22871, 20880, 0],    // identity: step
-    [33187, 5939, 370, 42453, 43635, 0],     // identity: step with colliders
-    [10323, 1082, 686, 10144, 11445, 0],     // identity: iteration
-    [23765, 3556, -114, 22871, 20880, 0],    // mass: step
-    [33187, 6003, 369, 42454, 43635, 0],     // mass: step with colliders
-    [10323, 1082, 686, 10144, 11445, 0],     // mass: iteration
-    [24667, 4475, -118, 29056, 27268, 0],    // jacobi: step
-    [33899, 6641, 372, 42528, 43626, 0],     // jacobi: step with colliders
-    [10275, 1086, 686, 10133, 11446, 0],     // jacobi: iteration
-    [24469, 6007, -117, 32274, 32211, 0],    // block-jacobi: step
-    [33215, 8324, 368, 42452, 43632, 0],     // block-jacobi: step with colliders
-    [10336, 1081, 686, 10146, 11444, 0],     // block-jacobi: iteration
-    [25403, 2902, 5170, 31281, 32230, 0],    // warped: step
-    [34677, 5361, 5654, 50829, 54990, 0],    // warped: step with colliders
-    [17340, 4822, 1350, 9861, 11437, 1146],  // warped: iteration
-    [25411, 2901, 5170, 31283, 32230, 0],    // warped-half: step
-    [34653, 5363, 5654, 50823, 54990, 0],    // warped-half: step with colliders
-    [16088, 5928, 2089, 13656, 11437, 1501], // warped-half: iteration
-    [21478, 1935, -355, 22812, 20883, 0],    // laplacian: step
-    [30766, 4392, 128, 42367, 43641, 0],     // laplacian: step with colliders
-    [13563, 3168, 465, 8216, 11439, 844],    // laplacian: iteration
-    [21479, 1935, -355, 22813, 20883, 0],    // laplacian-half: step
-    [30760, 4392, 128, 42366, 43641, 0],     // laplacian-half: step with colliders
-    [13379, 3305, 574, 8777, 11439, 892],    // laplacian-half: iteration
-    [43947, 23522, -216, 38594, 32145, 0],   // two-level: step
-    [52856, 25820, 271, 48821, 43569, 0],    // two-level: step with colliders
-    [9668, 3306, 682, 10187, 11429, 0],      // two-level: iteration
-    [392, 1250, -3, 0, 0, 0],                // a sphere
-    [-1015, 5114, -530, 0, 0, 0],            // a capsule
-    [-969, 9146, -528, 0, 0, 0],             // a box
-    [-967, 9338, -528, 0, 0, 0],             // a height field
-    [218, 19600, 23, 0, 0, 0],               // a frame
-    [3768, 0, 0, 24030, 11692, 0],           // plastic flow
-    [5517, 0, 0, 43240, 5419, 0],            // fracture
+    [26693, 2924, -66, 22772, 20840, 0],     // identity: step
+    [51264, 10589, 871, 42548, 43525, 0],    // identity: step with colliders
+    [10853, 1082, 673, 10167, 11410, 0],     // identity: iteration
+    [26693, 2988, -66, 22772, 20840, 0],     // mass: step
+    [51264, 10653, 871, 42548, 43525, 0],    // mass: step with colliders
+    [10854, 1082, 673, 10167, 11410, 0],     // mass: iteration
+    [27800, 3907, -72, 28927, 27297, 0],     // jacobi: step
+    [44223, 11606, 847, 42673, 43477, 0],    // jacobi: step with colliders
+    [11118, 1088, 677, 10167, 11413, 0],     // jacobi: iteration
+    [27346, 5408, -69, 32210, 32156, 0],     // block-jacobi: step
+    [51247, 12943, 870, 42547, 43524, 0],    // block-jacobi: step with colliders
+    [10890, 1081, 673, 10169, 11409, 0],     // block-jacobi: iteration
+    [28105, 3509, 5215, 31118, 32204, 0],    // warped: step
+    [48093, 10263, 5967, 50589, 54899, 0],   // warped: step with colliders
+    [17447, 4832, 1307, 9877, 11405, 1142],  // warped: iteration
+    [28103, 3510, 5215, 31117, 32203, 0],    // warped-half: step
+    [48103, 10262, 5967, 50592, 54900, 0],   // warped-half: step with colliders
+    [16188, 5939, 2046, 13673, 11405, 1498], // warped-half: iteration
+    [24233, 2545, -304, 22717, 20840, 0],    // laplacian: step
+    [44212, 9300, 447, 42186, 43532, 0],     // laplacian: step with colliders
+    [13910, 3183, 439, 8221, 11406, 844],    // laplacian: iteration
+    [24233, 2545, -304, 22717, 20840, 0],    // laplacian-half: step
+    [44211, 9300, 447, 42187, 43533, 0],     // laplacian-half: step with colliders
+    [13722, 3306, 550, 8792, 11406, 891],    // laplacian-half: iteration
+    [46746, 22935, -174, 38522, 32085, 0],   // two-level: step
+    [71159, 30425, 789, 48950, 43478, 0],    // two-level: step with colliders
+    [10342, 3300, 672, 10218, 11394, 0],     // two-level: iteration
+    [-7657, 2186, -21, 0, 0, 0],             // a sphere
+    [-9332, 4435, -599, 0, 0, 0],            // a capsule
+    [-9518, 11243, -609, 0, 0, 0],           // a box
+    [-9052, 11486, -625, 0, 0, 0],           // a height field
+    [12197, 33541, 233, 0, 0, 0],            // a frame
+    [2472, 0, 0, 23949, 11909, 0],           // plastic flow
+    [4552, 0, 0, 43581, 5353, 0],            // fracture
     [513, 0, 0, 4606, 1, 0],                 // fracture: a place
-    [-82179, 7616, 9123, -3901, 3257, 0],    // couplings: step
-    [8458, -443, 33, 11145, 11840, 0],       // couplings: diagonal where none was
-    [31298, -2378, -2356, 10393, 8073, 0],   // couplings: diagonal for jacobi
-    [22802, -1148, 1137, 3056, 2317, 0],     // couplings: beside colliders
-    [-41554, 0, 0, 0, 0, 0],                 // couplings: a rigid body and collider
-    [-136, 40, -126, 0, 0, 0],               // couplings: an iteration
-    [-917, 44, -345, 0, 0, 0],               // couplings: an iteration with a factor
-    [372, -3, -2957, 2645, -326, -148],      // couplings: an iteration with half a factor
-    [122945, 0, 0, 0, 0, 0],                 // couplings: a slot
-    [54714, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
-    [4761, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
-    [37903, 0, 0, 0, 0, 0],                  // couplings: a link
-    [3231, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
-    [932, 0, 0, 0, 0, 0],                    // couplings: a part
-    [652, 0, 0, 0, 0, 0],                    // couplings: a part and slot
-    [57739, 0, 0, 0, 0, 0],                  // couplings: a rigid body
-    [6265, 0, 0, 0, 0, 0],                   // couplings: a rigid body, a projection
-    [27034, 2009, -245, 0, 0, 0],            // islands
-    [16342, 595, -2419, 0, 0, 0],            // islands, a vector
-    [5161, 259, 41, 0, 0, 0],                // islands, an iteration
-    [2057, 0, 0, 0, 0, 0],                   // islands: a part
-    [691, 0, 0, 0, 0, 0],                    // islands: a part, an operation
+    [-84864, 7622, 9712, -5280, 2512, 0],    // couplings: step
+    [11646, -747, -875, 12256, 12771, 0],    // couplings: diagonal where none was
+    [33772, -2664, -2793, 11358, 8871, 0],   // couplings: diagonal for jacobi
+    [44769, -709, 1790, 2008, 2978, 0],      // couplings: beside colliders
+    [-55919, 0, 0, 0, 0, 0],                 // couplings: a rigid body and collider
+    [545, 31, -141, 0, 0, 0],                // couplings: an iteration
+    [-928, 46, -241, 0, 0, 0],               // couplings: an iteration with a factor
+    [843, 0, -2524, 2505, 70, -152],         // couplings: an iteration with half a factor
+    [122821, 0, 0, 0, 0, 0],                 // couplings: a slot
+    [54849, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
+    [4775, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [37895, 0, 0, 0, 0, 0],                  // couplings: a link
+    [3197, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
+    [-1858, 0, 0, 0, 0, 0],                  // couplings: a part
+    [680, 0, 0, 0, 0, 0],                    // couplings: a part and slot
+    [58295, 0, 0, 0, 0, 0],                  // couplings: a rigid body
+    [6299, 0, 0, 0, 0, 0],                   // couplings: a rigid body, a projection
+    [40528, 2612, -316, 0, 0, 0],            // islands
+    [17320, 538, -2353, 0, 0, 0],            // islands, a vector
+    [5711, 261, 76, 0, 0, 0],                // islands, an iteration
+    [4211, 0, 0, 0, 0, 0],                   // islands: a part
+    [708, 0, 0, 0, 0, 0],                    // islands: a part, an operation
 ];
 
 pub(super) const AARCH64: Table = [
-    [-186, 0, 0, 7551, 16, 0],              // any sweeps
-    [93, 0, 0, 6538, 1, 0],                 // a sweep
-    [25201, 2744, 1873, 8146, 9694, 0],     // a stored vector
-    [1955, 298, 476, 0, 0, 0],              // a pair of them
-    [995, 147, 238, 0, 0, 0],               // a vector and iteration
-    [5786, 1027, 446, 0, 0, 0],             // translations
-    [2463, 451, 209, 0, 0, 0],              // translations, a vector
-    [1287, 181, 106, 0, 0, 0],              // translations, an iteration
-    [1671, 211, 351, 0, 0, 0],              // colliders, a vector
-    [940, 189, 197, 0, 0, 0],               // colliders, an iteration
-    [0, 0, 0, 0, 0, 0], // colliders, an iteration with a factor
-    [698, 7863, 6, 0, 0, 0],                // a collider
-    [556, 0, 0, 0, 0, 0],                   // a pin
-    [5571, 394, 608, 7776, 9712, 0],        // pins or colliders that move
-    [6804, 319, 469, 8114, 9698, 0],        // newmark
-    [1297, 144, 155, 0, 0, 0],              // forces
-    [18745, 2413, 1167, 7878, 9701, 0],     // start from velocity
-    [18850, 2416, 1211, 7896, 9701, 0],     // start from velocity and force
-    [17858, 2345, 1136, 7775, 9702, 0],     // start from rest
-    [-12275, -1867, -265, 0, 0, 0],         // a past velocity
-    [-37241, -5356, -1323, 0, 0, 0],        // rotations
-    [495, -3, 2, 0, 0, 0],                  // held by pins
-    [6117, 1856, 754, 0, 0, 0],             // coarse: an application more
-    [-5724, 0, 0, 0, 0, 0],                 // coarse: an aggregate
-    [24808, 0, 0, 0, 0, 0],                 // coarse: its square
-    [778, 0, 0, 0, 0, 0],                   // coarse: its cube
-    [22433, 0, 0, 0, 0, 0],                 // coarse: a cut block
-    [32858, 0, 0, 0, 0, 0],                 // coarse: a product
-    [7472, 0, 0, 0, 0, 0],                  // coarse: a sum
-    [13779, 0, 0, 0, 0, 0],                 // coarse: an aggregate, an application
-    [908, 0, 0, 0, 0, 0],                   // coarse: its square, an application
-    [21147, 2461, 1177, 16533, 18014, 0],   // identity: step
-    [30671, 4345, 1961, 32079, 37519, 0],   // identity: step with colliders
-    [10741, 558, 1099, 8148, 9698, 0],      // identity: iteration
-    [21179, 2493, 1177, 16532, 18014, 0],   // mass: step
-    [30704, 4377, 1961, 32079, 37519, 0],   // mass: step with colliders
-    [10741, 558, 1099, 8148, 9698, 0],      // mass: iteration
-    [23240, 3050, 1278, 21710, 22916, 0],   // jacobi: step
-    [30491, 4858, 1956, 31979, 37513, 0],   // jacobi: step with colliders
-    [10590, 570, 1098, 8117, 9699, 0],      // jacobi: iteration
-    [21932, 4271, 1179, 23967, 27842, 0],   // block-jacobi: step
-    [30676, 6026, 1959, 32076, 37516, 0],   // block-jacobi: step with colliders
-    [10761, 557, 1099, 8151, 9697, 0],      // block-jacobi: iteration
-    [29630, 1755, 2232, 22471, 28052, 0],   // warped: step
-    [38938, 3657, 3014, 37968, 47560, 0],   // warped: step with colliders
-    [19759, 2920, 2274, 8936, 9691, 833],   // warped: iteration
-    [29649, 1753, 2232, 22475, 28052, 0],   // warped-half: step
-    [38886, 3662, 3013, 37955, 47561, 0],   // warped-half: step with colliders
-    [18421, 4176, 3058, 12970, 9692, 1219], // warped-half: iteration
-    [20281, 1051, 1004, 16568, 18018, 0],   // laplacian: step
-    [29603, 2951, 1785, 32073, 37525, 0],   // laplacian: step with colliders
-    [15716, 1962, 1425, 7562, 9693, 635],   // laplacian: iteration
-    [20286, 1050, 1004, 16569, 18018, 0],   // laplacian-half: step
-    [29587, 2952, 1785, 32069, 37525, 0],   // laplacian-half: step with colliders
-    [15504, 2191, 1553, 8221, 9693, 701],   // laplacian-half: iteration
-    [31612, 17737, 1108, 29721, 27773, 0],  // two-level: step
-    [40631, 19466, 1898, 37897, 37452, 0],  // two-level: step with colliders
-    [9979, 2529, 1095, 8184, 9683, 0],      // two-level: iteration
-    [264, 1042, -8, 0, 0, 0],               // a sphere
-    [-1003, 4415, -430, 0, 0, 0],           // a capsule
-    [-973, 7584, -429, 0, 0, 0],            // a box
-    [-970, 7872, -429, 0, 0, 0],            // a height field
-    [190, 14794, -6, 0, 0, 0],              // a frame
-    [4531, 0, 0, 18562, 10255, 0],          // plastic flow
-    [4712, 0, 0, 29414, 4568, 0],           // fracture
+    [-51, 0, 0, 7509, 14, 0],               // any sweeps
+    [62, 0, 0, 6548, 2, 0],                 // a sweep
+    [23930, 2994, 1670, 8164, 9696, 0],     // a stored vector
+    [2051, 297, 483, 0, 0, 0],              // a pair of them
+    [842, 148, 236, 0, 0, 0],               // a vector and iteration
+    [5602, 1107, 438, 0, 0, 0],             // translations
+    [2476, 430, 210, 0, 0, 0],              // translations, a vector
+    [1942, 179, 111, 0, 0, 0],              // translations, an iteration
+    [3227, 537, 347, 0, 0, 0],              // colliders, a vector
+    [6614, 1677, 590, 0, 0, 0],             // colliders, an iteration
+    [-1831, -396, -378, 0, 0, 0],           // colliders, an iteration with a factor
+    [-5940, 13937, 113, 0, 0, 0],           // a collider
+    [8465, 0, 0, 0, 0, 0],                  // a pin
+    [152, 511, 666, 7733, 9782, 0],         // pins or colliders that move
+    [3089, 838, 165, 7871, 9704, 0],        // newmark
+    [-170, 155, 135, 0, 0, 0],              // forces
+    [17137, 2569, 896, 7964, 9714, 0],      // start from velocity
+    [16913, 2617, 895, 7964, 9714, 0],      // start from velocity and force
+    [18055, 2031, 1121, 7974, 9709, 0],     // start from rest
+    [-11566, -1545, -270, 0, 0, 0],         // a past velocity
+    [-35875, -4554, -830, 0, 0, 0],         // rotations
+    [-7922, 17, -2, 0, 0, 0],               // held by pins
+    [15104, 1779, 877, 0, 0, 0],            // coarse: an application more
+    [-5770, 0, 0, 0, 0, 0],                 // coarse: an aggregate
+    [24825, 0, 0, 0, 0, 0],                 // coarse: its square
+    [777, 0, 0, 0, 0, 0],                   // coarse: its cube
+    [22436, 0, 0, 0, 0, 0],                 // coarse: a cut block
+    [32784, 0, 0, 0, 0, 0],                 // coarse: a product
+    [7475, 0, 0, 0, 0, 0],                  // coarse: a sum
+    [13780, 0, 0, 0, 0, 0],                 // coarse: an aggregate, an application
+    [907, 0, 0, 0, 0, 0],                   // coarse: its square, an application
+    [22507, 2214, 1172, 16381, 18012, 0],   // identity: step
+    [50837, 8077, 2705, 33532, 37428, 0],   // identity: step with colliders
+    [11799, 528, 1101, 8222, 9696, 0],      // identity: iteration
+    [22538, 2262, 1172, 16381, 18012, 0],   // mass: step
+    [50871, 8125, 2705, 33532, 37428, 0],   // mass: step with colliders
+    [11799, 528, 1101, 8222, 9696, 0],      // mass: iteration
+    [24667, 2840, 1266, 21513, 22909, 0],   // jacobi: step
+    [53720, 8236, 2959, 34882, 37395, 0],   // jacobi: step with colliders
+    [11674, 554, 1100, 8163, 9698, 0],      // jacobi: iteration
+    [23085, 3845, 1172, 23786, 27777, 0],   // block-jacobi: step
+    [50679, 9576, 2704, 33504, 37428, 0],   // block-jacobi: step with colliders
+    [11897, 521, 1102, 8239, 9696, 0],      // block-jacobi: iteration
+    [30639, 2399, 2175, 22336, 27887, 0],   // warped: step
+    [50707, 8070, 3155, 38609, 47316, 0],   // warped: step with colliders
+    [20848, 2898, 2296, 9035, 9691, 830],   // warped: iteration
+    [30701, 2394, 2176, 22349, 27887, 0],   // warped-half: step
+    [50382, 8095, 3153, 38542, 47318, 0],   // warped-half: step with colliders
+    [19549, 4152, 3082, 13082, 9692, 1215], // warped-half: iteration
+    [21603, 1714, 1000, 16456, 18013, 0],   // laplacian: step
+    [41854, 7370, 1981, 32767, 37438, 0],   // laplacian: step with colliders
+    [16808, 1940, 1432, 7631, 9693, 634],   // laplacian: iteration
+    [21618, 1713, 1000, 16459, 18013, 0],   // laplacian-half: step
+    [41766, 7377, 1981, 32750, 37439, 0],   // laplacian-half: step with colliders
+    [16605, 2169, 1560, 8292, 9693, 700],   // laplacian-half: iteration
+    [32066, 17356, 1090, 29434, 27705, 0],  // two-level: step
+    [60712, 23000, 2655, 39365, 37379, 0],  // two-level: step with colliders
+    [11407, 2472, 1105, 8323, 9682, 0],     // two-level: iteration
+    [-5565, 2239, -174, 0, 0, 0],           // a sphere
+    [-5933, 4546, -494, 0, 0, 0],           // a capsule
+    [-6054, 9831, -506, 0, 0, 0],           // a box
+    [-5751, 10313, -515, 0, 0, 0],          // a height field
+    [9385, 25119, 420, 0, 0, 0],            // a frame
+    [3803, 0, 0, 18612, 10271, 0],          // plastic flow
+    [4637, 0, 0, 29314, 4597, 0],           // fracture
     [450, 0, 0, 3582, 1, 0],                // fracture: a place
-    [-19476, 2292, 2068, 8543, 7982, 0],    // couplings: step
-    [7065, -237, -798, 8513, 11385, 0],     // couplings: diagonal where none was
-    [23648, -1759, -2863, 7707, 9464, 0],   // couplings: diagonal for jacobi
-    [13148, -538, -1000, 1246, 2471, 0],    // couplings: beside colliders
-    [-33099, 0, 0, 0, 0, 0],                // couplings: a rigid body and collider
-    [-1292, 79, -417, 0, 0, 0],             // couplings: an iteration
-    [293, 47, -889, 0, 0, 0],               // couplings: an iteration with a factor
-    [3172, -571, -1971, 269, 73, 87],       // couplings: an iteration with half a factor
-    [109697, 0, 0, 0, 0, 0],                // couplings: a slot
-    [44914, 0, 0, 0, 0, 0],                 // couplings: a slot beside rigid bodies
-    [4485, 0, 0, 0, 0, 0],                  // couplings: a slot, an application
-    [34545, 0, 0, 0, 0, 0],                 // couplings: a link
-    [2618, 0, 0, 0, 0, 0],                  // couplings: a link beside rigid bodies
-    [27655, 0, 0, 0, 0, 0],                 // couplings: a part
+    [906, 1077, 320, 10988, 14136, 0],      // couplings: step
+    [-12662, 781, 919, 5746, 5147, 0],      // couplings: diagonal where none was
+    [4369, -813, -644, 5039, 3245, 0],      // couplings: diagonal for jacobi
+    [16260, 1849, -278, -3787, -6769, 0],   // couplings: beside colliders
+    [-47671, 0, 0, 0, 0, 0],                // couplings: a rigid body and collider
+    [-722, 79, -536, 0, 0, 0],              // couplings: an iteration
+    [293, 46, -855, 0, 0, 0],               // couplings: an iteration with a factor
+    [3302, -510, -1519, 649, 174, 39],      // couplings: an iteration with half a factor
+    [109605, 0, 0, 0, 0, 0],                // couplings: a slot
+    [44919, 0, 0, 0, 0, 0],                 // couplings: a slot beside rigid bodies
+    [4486, 0, 0, 0, 0, 0],                  // couplings: a slot, an application
+    [34564, 0, 0, 0, 0, 0],                 // couplings: a link
+    [2409, 0, 0, 0, 0, 0],                  // couplings: a link beside rigid bodies
+    [25824, 0, 0, 0, 0, 0],                 // couplings: a part
     [721, 0, 0, 0, 0, 0],                   // couplings: a part and slot
-    [30194, 0, 0, 0, 0, 0],                 // couplings: a rigid body
-    [5202, 0, 0, 0, 0, 0],                  // couplings: a rigid body, a projection
-    [21898, 1718, 947, 0, 0, 0],            // islands
-    [12872, 490, -2561, 0, 0, 0],           // islands, a vector
-    [4221, 198, -62, 0, 0, 0],              // islands, an iteration
-    [219, 0, 0, 0, 0, 0],                   // islands: a part
-    [1510, 0, 0, 0, 0, 0],                  // islands: a part, an operation
+    [29420, 0, 0, 0, 0, 0],                 // couplings: a rigid body
+    [5325, 0, 0, 0, 0, 0],                  // couplings: a rigid body, a projection
+    [39308, 2250, 1045, 0, 0, 0],           // islands
+    [14938, 464, -2566, 0, 0, 0],           // islands, a vector
+    [5312, 200, -40, 0, 0, 0],              // islands, an iteration
+    [1793, 0, 0, 0, 0, 0],                  // islands: a part
+    [1375, 0, 0, 0, 0, 0],                  // islands: a part, an operation
 ];
