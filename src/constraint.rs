@@ -221,6 +221,7 @@ pub(crate) fn enter(
 ) -> bool {
     let mut some = false;
     let per_step = 1.0 / (step.dt * step.velocity_unit);
+    g.fill([0.0; 3]);
     let nodes = step.x.iter().zip(v).zip(filter).zip(normals).zip(g);
     for ((((x, v), p), normal), g) in nodes {
         let mut at = core::array::from_fn(|axis| x[axis] + v[axis] / per_step);

@@ -119,7 +119,8 @@ pub struct StepReport {
     pub residual_before: f32,
     /// ‖b − Av‖ in N·s after the last iteration, filtered, as the recurrence has it.
     pub residual_after: f32,
-    /// Iterations that moved the solution; the rest came after the residual had sunk to rounding.
+    /// Iterations that moved the solution (of the budget's, and one more where there are colliders); the rest came after
+    /// the residual had sunk to rounding.
     pub updates: u32,
     /// Contacts between nodes and colliders, as they were when the solve began.
     pub contacts: u32,

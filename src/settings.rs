@@ -12,6 +12,8 @@ pub use crate::preconditioner::Preconditioner;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
     /// Iterations of the conjugate gradient.
+    /// In scenes with colliders it is one more, for what the iterate changes about who touches ([`constraint`](crate::constraint)).
+    /// Contact decides with three or more.
     pub iterations: u32,
     /// Jacobi sweeps of the polar decomposition.
     pub polar_sweeps: u32,

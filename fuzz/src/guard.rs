@@ -89,7 +89,8 @@ pub fn check_energy<L: Layout>(
         + strain[1].abs()
         + works;
     let unit = f64::from(header.mass_unit) * (f64::from(header.length_unit) / h).powi(2);
-    if !(stiff + all < MODERATE * unit) {
+    let moderate = stiff + all < MODERATE * unit;
+    if !moderate {
         return;
     }
     let rounding = ROUNDINGS * (all + (stiff * all).sqrt() + ROUNDINGS * stiff) + unit / MODERATE;

@@ -45,7 +45,9 @@ pub fn check_step(
     ];
     let finite = numbers.iter().all(|x| x.is_finite());
     assert!(finite && !report.relative_residual().is_nan(), "{report:?}");
-    assert!(report.updates <= settings.budget.iterations, "{report:?}");
+    // One more where there are colliders.
+    let most = settings.budget.iterations.saturating_add(1);
+    assert!(report.updates <= most, "{report:?}");
     check_plasticity(after, report, settings);
     check_fracture(before, after, report, settings);
 }

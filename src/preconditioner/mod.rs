@@ -75,14 +75,14 @@ impl<'a> Preconditioner<'a> {
         }
     }
 
-    /// Makes it ready for a step at `x` (metres) with the matrix A = `operator`. `scratch` is one vector a node.
+    /// Makes it ready for a step at `x` (metres) with the matrix A = `operator`, and with P: pins alone, or, if so said, any
+    /// that may also change until it is applied. `scratch` is one vector a node.
     pub fn prepare<R: Lanes, L: Layout>(
         self,
         operator: &Operator<'_, L>,
         x: &'a [[f32; 3]],
         rotations: &[RotationBlock],
-        filter: &[Sym3<f32>],
-        touches: bool,
+        (filter, touches): (&[Sym3<f32>], bool),
         room: Room<'a>,
         scratch: &mut [[f32; 3]],
     ) -> Prepared<'a> {
@@ -127,6 +127,7 @@ pub struct Room<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<'a> {
     preconditioner: Preconditioner<'a>,
+    /// Whether P may change.
     touches: bool,
     /// P B P of a local one (B where contacts may let go), the rows of the nodes' rotations of a warped one.
     blocks: &'a [Sym3<f32>],

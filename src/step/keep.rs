@@ -10,7 +10,6 @@ use crate::scene::Scene;
 use crate::vector::{copy, project};
 
 /// v⁺ in m/s, and x⁺ from it. Returns the first node that is not finite.
-#[expect(clippy::too_many_arguments, reason = "all that a step ends with")]
 pub(super) fn advance<C: Couple>(
     rest: Points<'_>,
     state: &StateMut<'_>,

@@ -206,8 +206,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
             &operator,
             state.x,
             state.rotations,
-            work.filter,
-            touches,
+            (&*work.filter, touches),
             Room {
                 blocks: &mut *work.blocks,
                 coarse: &mut *work.coarse,
@@ -217,7 +216,13 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         filter: &mut *work.filter,
         colliders: scene.colliders,
         contact: &contact,
-        normals: if touches { &mut *work.normals } else { &mut [] },
+        // Rigid bodies do not touch by their nodes.
+        normals: if touches {
+            let touched = contact.masses.len();
+            work.normals.get_mut(..touched).unwrap_or_default()
+        } else {
+            &mut []
+        },
         lanes: core::marker::PhantomData,
     };
 

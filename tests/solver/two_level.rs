@@ -97,8 +97,7 @@ impl<L: Layout> Case<L> {
             &operator,
             &self.setup.x,
             &self.rotations,
-            &self.filter,
-            true,
+            (&self.filter, true),
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );

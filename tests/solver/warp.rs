@@ -60,8 +60,7 @@ impl Placed {
             &operator,
             &self.setup.x,
             &self.rotations,
-            &self.filter,
-            true,
+            (&self.filter, true),
             room,
             &mut vec![[f32::NAN; 3]; nodes],
         );

@@ -70,7 +70,7 @@ impl Storage {
             &body.operator(),
             &body.x,
             &body.rotations,
-            &coarse.filter,
+            (&coarse.filter, false),
             room,
             &mut self.scratch,
         )
@@ -93,7 +93,9 @@ pub fn two_level<'a, R: Lanes + 'a>(
         .with_preconditioner(coarse.preconditioner());
     vec![
         Kernel::new(PREPARE, R::WIDTH, prepare),
-        Kernel::new(APPLY, R::WIDTH, move || prepared.apply(&body.v, &mut z)),
+        Kernel::new(APPLY, R::WIDTH, move || {
+            prepared.apply(&coarse.filter, &body.v, &mut z)
+        }),
         Kernel::after(
             STEP,
             R::WIDTH,
