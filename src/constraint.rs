@@ -236,7 +236,8 @@ pub(crate) fn enter(
         let free = project(p, &n.to_array());
         let share = n.dot(Vec3::from_array(free));
         let enters = now & (share > 1e-3);
-        let pinned = (share <= 1e-3) & (Vec3::from_array(*normal) == Vec3::ZERO);
+        let held = Vec3::from_array(*normal);
+        let pinned = (share <= 1e-3) & (held.dot(held) <= 0.0);
         *g = (way * select(pinned, 0.0, per_step)).to_array();
         hold(enters, p, &free, share);
         add_if(enters, normal, n);

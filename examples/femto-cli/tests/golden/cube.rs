@@ -13,7 +13,7 @@
 //!   budget        5 iterations, 2 polar sweeps, start galerkin-1
 //!   factor        laplacian, f32: 5 scalars, 110 bytes
 //!   flash         1,088 bytes
-//!   RAM           state 320, workspace 1,284 bytes
+//!   RAM           state 320, workspace 1,380 bytes
 //!   fingerprint   dd8424d1cf362155
 //!   checksum      6fd7ecbd05b82049
 //! ```
