@@ -35,7 +35,7 @@
 //!
 //! **During the solve**, from its middle on and with a budget of three iterations or more, who is held is made right by what
 //! the iterate says, as in an active-set method for the complementarity problem v⁺·n ≥ −d/h, impulse ≥ 0 (Dostál and Schöberl
-//! 2005), but with a fixed number of products: nodes whose impulse (b − A v)·n would pull are let go, and those that v
+//! 2005), but with a fixed number of products: nodes whose impulse (A v − b)·n is negative are let go, and those that v
 //! moves into a surface are taken in (without friction in that step). A let-go node keeps its γ until the next step.
 //! What would pull after the last iteration is let go, too: it is part of the residual, and goes to zero with it.
 //!
