@@ -30,6 +30,16 @@ pub(crate) trait System {
     fn filter(&self) -> &[Sym3<f32>];
     /// Whether surfaces may change P during the solve.
     fn touches(&self) -> bool;
+    /// Whether couplings may change A and b during the solve.
+    fn joins(&self) -> bool;
+    /// Takes couplings that pull at `v` out of A and b, and those back in that it took out and that would push. `r` and
+    /// A w follow. Returns whether there were any.
+    fn switch(
+        &mut self,
+        v: &[[f32; 3]],
+        r: &mut [[f32; 3]],
+        space: &mut Space<'_, impl Translate>,
+    ) -> bool;
     /// If `now`: widens P where a surface would pull, given the whole residual r. Returns whether it did.
     fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool;
     /// If `now`: narrows P where `v` enters a surface, and writes to `g` what `v` lacks. Returns whether it did.
@@ -39,6 +49,19 @@ pub(crate) trait System {
 /// Residuals below this part (squared) of the right-hand side are rounding: (2⁻²²)², two bits
 /// above the last of f32.
 const ROUNDING: f32 = 1.0 / (1_u64 << 44) as f32;
+
+/// So many iterations make an iterate that means something to decisions.
+const DECIDING: u32 = 3;
+
+/// How often couplings are switched in a solve of so many iterations: first in the middle, then each time in the middle of what is
+/// left, so that every decision has time to settle.
+pub(crate) const fn switches(iterations: u32, touches: bool) -> u32 {
+    let products = iterations.saturating_add(touches as u32);
+    match products.div_ceil(2).checked_ilog2() {
+        Some(halvings) if iterations >= DECIDING => halvings + 1,
+        _ => 0,
+    }
+}
 
 /// Runs exactly `iterations` iterations from the iterate `v` with residual `r` ⟂ W; `p` and `q` are
 /// scratch. `rhs_size` is [`System::size`] of b. Returns after how many iterations the update froze.
@@ -58,15 +81,11 @@ pub(crate) fn solve(
         let relative = ROUNDING * rhs_size;
         select(relative > NOTHING, relative, NOTHING)
     };
-    let touches = system.touches();
-    // Decisions need an iterate that means something.
-    let decides = iterations > 2;
-    let (products, middle) = if touches {
-        let products = iterations.saturating_add(1);
-        (products, products / 2)
-    } else {
-        (iterations, u32::MAX)
-    };
+    let (touches, joins) = (system.touches(), system.joins());
+    let decides = iterations >= DECIDING;
+    let products = iterations.saturating_add(u32::from(touches));
+    let middle = products / 2;
+    let mut next = if joins & decides { middle } else { u32::MAX };
     let (mut live, mut updates, mut previous) = (true, 0, 0.0);
     p.fill([0.0; 3]);
     for k in 0..products {
@@ -74,7 +93,11 @@ pub(crate) fn solve(
         if touches {
             released = system.release(r, decides & (k >= middle));
         }
-        if k == middle {
+        if k == next {
+            released |= system.switch(v, r, space);
+            next = k + (products - k).div_ceil(2);
+        }
+        if touches & (k == middle) {
             entered = system.enter(v, q, decides);
             let stays = Mask::of(!entered);
             keep_or_take(p, stays, q);
@@ -86,10 +109,10 @@ pub(crate) fn solve(
         live = ((live | released) & (system.size(r, rz) > floor)) | entered;
         updates += u32::from(live);
         // No previous square, as in the first iteration: β = 0. (To the last direction nothing needs to be conjugate.)
-        previous = select(released & (k < iterations), 0.0, previous);
+        previous = select(released & (k + 1 < products), 0.0, previous);
         let beta = ratio_or_zero(rz, previous, 0.0);
         previous = select(live & !entered, rz, 0.0);
-        if k == middle {
+        if touches & (k == middle) {
             // p stays what brings back.
             scale_or_clear(q, 1.0, Mask::of(!entered));
         }

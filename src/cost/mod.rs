@@ -90,20 +90,17 @@ impl Budget {
     pub fn fit(limit: u64, load: &Load, machine: Machine) -> Option<Self> {
         let limit = i64::try_from(limit).unwrap_or(i64::MAX).saturating_mul(16);
         [2, 1].into_iter().find_map(|polar_sweeps| {
-            let [none, one] = [0, 1].map(|iterations| {
-                let budget = Self {
-                    iterations,
-                    polar_sweeps,
-                };
-                budget.sixteenths(load, machine)
-            });
-            let iterations = limit
-                .checked_sub(none)?
-                .checked_div(one.checked_sub(none)?)?;
-            (iterations > 0).then(|| Self {
-                iterations: u32::try_from(iterations).unwrap_or(u32::MAX),
+            let with = |iterations| Self {
+                iterations,
                 polar_sweeps,
-            })
+            };
+            let fits = |iterations| with(iterations).sixteenths(load, machine) <= limit;
+            // Couplings are switched more often in longer solves: the cost is not quite linear. Bit by bit, then.
+            let iterations = (0..u32::BITS).rev().fold(0, |found, bit| {
+                let more = found | 1 << bit;
+                if fits(more) { more } else { found }
+            });
+            (iterations > 0).then(|| with(iterations))
         })
     }
 }

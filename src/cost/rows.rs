@@ -1,12 +1,13 @@
 //! The rows of the tables, and how often a step pays each.
 
 use super::load::{Kind, Load, SIZES};
+use crate::cg;
 use crate::settings::{Budget, Start};
 
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; then what the crate's features add, each beside the
 /// rows before; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 88] = [
+pub const ROWS: [(&str, [bool; SIZES]); 90] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -84,13 +85,15 @@ pub const ROWS: [(&str, [bool; SIZES]); 88] = [
     ("couplings: a slot", ONCE),
     ("couplings: a slot beside rigid bodies", ONCE),
     ("couplings: a slot, an application", ONCE),
+    ("couplings: a slot, a switch", ONCE),
+    ("couplings: a slot, a switch of a vector", ONCE),
     ("couplings: a link", ONCE),
     ("couplings: a link beside rigid bodies", ONCE),
     ("couplings: a part", ONCE),
     ("couplings: a part and slot", ONCE),
     ("couplings: a rigid body", ONCE),
     ("couplings: a rigid body, a projection", ONCE),
-    ("islands", NODES),
+    ("islands", ALL),
     ("islands, a vector", NODES),
     ("islands, an iteration", NODES),
     ("islands: a part", ONCE),
@@ -199,7 +202,7 @@ fn inelastic(load: &Load) -> [u64; 8] {
 }
 
 /// Bodies in one system.
-fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
+fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
     let coupled = u64::from(load.coupled.parts() > 0);
     let (k, w) = (iterations(load, budget), load.start.vectors() as u64);
     let (k, w) = (coupled * k, coupled * w);
@@ -212,13 +215,16 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
     };
     let guessed = matches!(load.start, Start::Velocity | Start::VelocityForce);
     let more = u64::from(guessed || load.moving);
-    let last = u64::from(load.start == Start::Zero);
+    let free = u64::from(load.start.is_augmented());
+    let last = u64::from(load.start == Start::Zero) + free;
     let applications = coupled * (k + w + more + last + u64::from(load.colliders > 0));
     let factored = factored(load);
     let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
-    let projections = 2 + applications + k + w + sizes;
-    let free = u64::from(load.start.is_augmented());
+    let switches = coupled * u64::from(cg::switches(budget.iterations, load.colliders > 0));
+    // Two more behind the solve, which leave W as it is.
+    let (all, with) = (coupled * (switches + 2), switches * w);
+    let projections = 2 + applications + k + w + sizes + all + with;
     let beside = u64::from(rigids > 0);
     [
         coupled,
@@ -232,6 +238,8 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
         slots - links.min(slots),
         (slots - links.min(slots)) * beside,
         slots.saturating_mul(applications),
+        slots.saturating_mul(all),
+        slots.saturating_mul(with),
         links,
         links * beside,
         parts,
@@ -247,4 +255,4 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 22] {
 }
 
 // Names, kinds and rows are in one order.
-const _: () = assert!(MORE + 8 + 22 == ROWS.len());
+const _: () = assert!(MORE + 8 + 24 == ROWS.len());

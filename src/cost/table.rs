@@ -80,6 +80,8 @@ pub(super) const CORTEX_M4F: Table = [
     [134087, 0, 0, 0, 0, 0],                 // couplings: a slot
     [46061, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
     [4881, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                      // couplings: a slot, a switch
+    [0, 0, 0, 0, 0, 0],                      // couplings: a slot, a switch of a vector
     [45549, 0, 0, 0, 0, 0],                  // couplings: a link
     [3624, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
     [10865, 0, 0, 0, 0, 0],                  // couplings: a part
@@ -171,6 +173,8 @@ pub(super) const X86_64: Table = [
     [122959, 0, 0, 0, 0, 0],                 // couplings: a slot
     [54716, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
     [4756, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                      // couplings: a slot, a switch
+    [0, 0, 0, 0, 0, 0],                      // couplings: a slot, a switch of a vector
     [37887, 0, 0, 0, 0, 0],                  // couplings: a link
     [3076, 0, 0, 0, 0, 0],                   // couplings: a link beside rigid bodies
     [-2141, 0, 0, 0, 0, 0],                  // couplings: a part
@@ -262,6 +266,8 @@ pub(super) const AARCH64: Table = [
     [109616, 0, 0, 0, 0, 0],                // couplings: a slot
     [44919, 0, 0, 0, 0, 0],                 // couplings: a slot beside rigid bodies
     [4484, 0, 0, 0, 0, 0],                  // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                     // couplings: a slot, a switch
+    [0, 0, 0, 0, 0, 0],                     // couplings: a slot, a switch of a vector
     [34575, 0, 0, 0, 0, 0],                 // couplings: a link
     [2299, 0, 0, 0, 0, 0],                  // couplings: a link beside rigid bodies
     [25645, 0, 0, 0, 0, 0],                 // couplings: a part

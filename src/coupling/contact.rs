@@ -105,8 +105,23 @@ pub(super) fn decide(slot: &mut Coupling, prediction: &Prediction<'_>) -> bool {
         .to_array()
         .map(|j| j * per_unit);
     slot.stiffness = RETURN * hard * step.mass_unit / h / h;
+    slot.acts = 1.0;
     slot.speed = now.to_array();
     active
+}
+
+/// Lets go of a contact that pulls at `v`, and if `back`, one that was let go and would push is back. b − A `v` in `r`
+/// follows. Returns the change of `acts`. (Links have no normal, and never pull.)
+#[inline(never)]
+pub(super) fn switch(slot: &mut Coupling, v: &[[f32; 3]], r: &mut [[f32; 3]], back: bool) -> f32 {
+    let impulse = Vec3::from_array(slot.whole_impulse(v));
+    let pulls = impulse.dot(Vec3::from_array(slot.normal)) < 0.0;
+    let pushes = select(back, 1.0, slot.acts);
+    let acts = select(pulls, 0.0, pushes);
+    let change = acts - slot.acts;
+    slot.acts = acts;
+    slot.spread(&(impulse * change).to_array(), r);
+    change
 }
 
 /// Zero where it would not be finite: a slot that cannot be computed does nothing.

@@ -81,6 +81,15 @@ pub(crate) trait Couple {
     fn add_to(&self, blocks: &mut [Sym3<f32>], rhs: &mut [[f32; 3]]);
     /// `out` += W ᵀB W u
     fn apply(&self, u: &[[f32; 3]], out: &mut [[f32; 3]]);
+    /// Lets go of contacts that pull at `v`; if `back`, those that were let go and would push are back. b − A `v` in `r`
+    /// and the products A w follow. Returns whether there were any.
+    fn switch(
+        &mut self,
+        v: &[[f32; 3]],
+        r: &mut [[f32; 3]],
+        space: [&mut [[f32; 3]]; 2],
+        back: bool,
+    ) -> bool;
     /// Projects on the rigid bodies' motions.
     fn project(&self, u: &mut [[f32; 3]]);
     /// Given v⁺ in m/s: notes impulses (units of N·s), puts rigid bodies on their shape.
@@ -122,6 +131,15 @@ impl Couple for () {
     fn add_to(&self, _: &mut [Sym3<f32>], _: &mut [[f32; 3]]) {}
     #[inline(always)]
     fn apply(&self, _: &[[f32; 3]], _: &mut [[f32; 3]]) {}
+    fn switch(
+        &mut self,
+        _: &[[f32; 3]],
+        _: &mut [[f32; 3]],
+        _: [&mut [[f32; 3]]; 2],
+        _: bool,
+    ) -> bool {
+        false
+    }
     #[inline(always)]
     fn project(&self, _: &mut [[f32; 3]]) {}
     fn place(&mut self, _: f32, _: f32, _: f32, _: &mut [[f32; 3]], _: &mut [[f32; 3]]) {}

@@ -107,6 +107,7 @@ impl Link {
         let mut slot = Coupling {
             nodes: self.nodes,
             weights: self.weights,
+            acts: 1.0,
             rigid: [rigid_of(self.nodes[0]), rigid_of(self.nodes[4])],
             drift: self.velocity.to_array(),
             ..Coupling::EMPTY

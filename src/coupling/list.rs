@@ -1,5 +1,7 @@
 //! The list of couplings of a scene, over memory of the caller's.
 
+use glam::Vec3;
+
 use super::contact::{self, keep_finite};
 use super::hook::{Counts, FreeStep};
 use super::islands::{IslandTranslations, Islands};
@@ -7,6 +9,7 @@ use super::predict::Prediction;
 use super::{Couple, CoupleStep, Coupling, Link, add_diagonal, apply};
 use crate::detect::{self, Aabb, Slots};
 use crate::element::Sym3;
+use crate::math::select;
 use crate::report::{CouplingFault, Refusal};
 use crate::rigid::Rigid;
 use crate::scene::Scene;
@@ -249,6 +252,34 @@ impl Couple for Couplings<'_> {
     }
 
     #[inline(never)]
+    fn switch(
+        &mut self,
+        v: &[[f32; 3]],
+        r: &mut [[f32; 3]],
+        [vectors, products]: [&mut [[f32; 3]]; 2],
+        back: bool,
+    ) -> bool {
+        let nodes = v.len().max(1);
+        let mut any = false;
+        for slot in self.slots.iter_mut() {
+            let change = contact::switch(slot, v, r, back);
+            for (w, aw) in vectors
+                .chunks_exact(nodes)
+                .zip(products.chunks_exact_mut(nodes))
+            {
+                let f = sym_mul(&slot.block, &slot.relative(w));
+                slot.spread(&f.map(|f| change * f), aw);
+            }
+            any |= change != 0.0;
+        }
+        self.project(r);
+        for aw in products.chunks_exact_mut(nodes) {
+            self.project(aw);
+        }
+        any
+    }
+
+    #[inline(never)]
     fn project(&self, u: &mut [[f32; 3]]) {
         for rigid in &*self.rigids {
             rigid.project(u);
@@ -268,9 +299,12 @@ impl Couple for Couplings<'_> {
         for slot in self.slots.iter_mut() {
             let speed = slot.relative(v);
             let drag = sym_mul(&slot.block, &speed.map(|u| u * per_unit));
+            let impulse = Vec3::from_array(slot.push) - Vec3::from_array(drag);
+            // `restore` may have moved a speed by a rounding.
+            let pulls = impulse.dot(Vec3::from_array(slot.normal)) < 0.0;
+            slot.impulse = (impulse * (impulse_unit * select(pulls, 0.0, slot.acts))).to_array();
             for axis in 0..3 {
                 slot.speed[axis] = speed[axis] - slot.drift[axis];
-                slot.impulse[axis] = (slot.push[axis] - drag[axis]) * impulse_unit;
             }
         }
         for rigid in self.rigids.iter_mut() {

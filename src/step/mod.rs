@@ -308,11 +308,19 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     // What would pull now is let go: from here on it counts as residual.
     system.release(work.r, true);
     space.project(&system, work.v, work.r);
-    if settings.start == Start::Zero {
+    if C::SOME {
+        (system.couplings).switch(work.v, work.r, [&mut [], &mut []], true);
+    }
+    if settings.start == Start::Zero || (C::SOME && settings.start.is_augmented()) {
         search_along(
             &system,
+            space.translations.as_ref(),
             [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
         );
+    }
+    if C::SOME {
+        // As for colliders. It only takes energy: what pulls also separates.
+        (system.couplings).switch(work.v, work.r, [&mut [], &mut []], false);
     }
     let residual_after = filtered_norm(system.filter, work.r);
     if settings.guards_energy() && touches && !C::SOME && units.theta == 1.0 && !scene.moves() {

@@ -6,9 +6,10 @@ use crate::constraint::{self, ContactStep};
 use crate::coupling::hook::Couple;
 use crate::element::{Layout, Sym3};
 use crate::lane::Lanes;
-use crate::math::{ratio_or_zero, sqrt};
+use crate::math::{ratio_or_zero, select, sqrt};
 use crate::operator::Operator;
 use crate::preconditioner::Prepared;
+use crate::space::{Space, Translate};
 use crate::vector::{self, dot, multiply_blocks, sym_mul};
 
 /// The system as the solver sees it.
@@ -58,6 +59,18 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
     }
     fn touches(&self) -> bool {
         !self.colliders.is_empty()
+    }
+    fn joins(&self) -> bool {
+        C::SOME
+    }
+    fn switch(
+        &mut self,
+        v: &[[f32; 3]],
+        r: &mut [[f32; 3]],
+        space: &mut Space<'_, impl Translate>,
+    ) -> bool {
+        let stored = [&mut *space.vectors, &mut *space.products];
+        self.couplings.switch(v, r, stored, true)
     }
     fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool {
         constraint::release(now, r, self.filter, self.normals)
@@ -118,14 +131,21 @@ fn filtered_dot(filter: &[Sym3<f32>], u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
     sums[0] + sums[1] + sums[2]
 }
 
-/// Line search along the solution itself: P v ⟂ r, so that (8) of the front page holds from rest, too, where
-/// conjugate gradients in f32 have lost their directions' conjugacy. (A start with W has v(t) to hold on to.)
+/// Line search along the solution itself, but for the translations in W, so that (8) of the front page holds: from rest, too,
+/// where conjugate gradients in f32 have lost their directions' conjugacy (a start with W has v(t) to hold on to), and
+/// where couplings were switched during the solve. Those who have `translations` are not sped up by it: v ⟂ r or v · r > 0.
 pub(super) fn search_along<L: Layout, R: Lanes, C: Couple>(
     system: &Filtered<'_, L, R, C>,
+    translations: Option<&impl Translate>,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
 ) {
     multiply_blocks(p, system.filter, v);
+    if let Some(translations) = translations {
+        translations.remove(p);
+    }
     system.apply(p, q);
     let (rp, pap) = (system.dot(p, r), system.dot(p, q));
-    vector::advance(v, r, ratio_or_zero(rp, pap, 0.0), p, q);
+    let along = ratio_or_zero(rp, pap, 0.0);
+    let faster = (along > 0.0) & translations.is_some();
+    vector::advance(v, r, select(faster, 0.0, along), p, q);
 }

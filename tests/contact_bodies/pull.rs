@@ -1,6 +1,4 @@
-//! Contacts push: how little of a normal impulse pulls, over collisions of soft bodies and of a soft with a rigid one.
-//! (With contacts decided by each node's forces alone it was up to 15 % of what is pushed between cubes, and 30 % on the
-//! ball.)
+//! Contacts push, and never pull: collisions of soft bodies, and of a soft with a rigid one.
 
 use femto::Scene;
 use femto::glam::Vec3;
@@ -8,6 +6,8 @@ use femto::join::Assembly;
 use femto::settings::{Budget, Settings, Start};
 
 use proptest::prelude::*;
+
+use nalgebra::Vector3;
 
 use super::support::meshes::TetMesh;
 use super::world::{AXES, World, ball, cube, soft};
@@ -79,46 +79,48 @@ fn balls(settings: &Settings<'_>, young: f32, tilt: f32) -> World {
     world
 }
 
-/// Normal impulses that pull, as a part of those that push, over a collision.
-fn pulled(mut world: World, settings: &Settings<'_>) -> [f64; 2] {
-    let [mut pulls, mut pushes] = [0.0; 2];
+/// Over a collision: the impulses that bodies gave each other, and what of the first one's change of momentum is not theirs.
+fn pushed(mut world: World, settings: &Settings<'_>) -> Result<[f64; 2], TestCaseError> {
+    let [mut pushes, mut unexplained] = [0.0; 2];
+    let first = world.parts.parts[0].nodes.clone();
     for _ in 0..100 {
+        let before = world.linear_of(0);
         let report = world.step(&Scene::default(), settings);
-        assert!(report.advanced() && report.dropped == 0, "{report:?}");
-        for slot in world.slots.iter().filter(|slot| slot.is_active()) {
-            let n = Vec3::from_array(slot.normal());
-            let j = f64::from(n.dot(Vec3::from_array(slot.impulse())));
-            if j < 0.0 {
-                pulls -= j;
-            } else {
-                pushes += j;
-            }
+        prop_assert!(report.advanced() && report.dropped == 0, "{report:?}");
+        let mut sum = Vector3::zeros();
+        for slot in &world.slots {
+            let (n, impulse) = (slot.normal(), slot.impulse().map(f64::from));
+            let push: f64 = n.iter().zip(impulse).map(|(n, j)| f64::from(*n) * j).sum();
+            // A slot that does not act gives nothing, of either sign; the rest is the rounding of this product.
+            let rounding = 4.0 * f64::from(f32::EPSILON) * Vector3::from(impulse).norm();
+            prop_assert!(push >= -rounding, "{push}: {slot:?}");
+            pushes += push;
+            let own = slot.weights().take(4).find(|(_, w)| *w != 0.0);
+            let side = own.is_some_and(|(node, _)| first.contains(&(node as usize)));
+            sum += Vector3::from(impulse) * if side { 1.0 } else { -1.0 };
         }
+        unexplained += (world.linear_of(0) - before - sum).norm();
     }
-    [pulls, pushes]
+    Ok([pushes, unexplained])
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(16) })]
     #[test]
-    fn contacts_hardly_pull(
+    fn contacts_never_pull(
         rigid in any::<bool>(),
-        stiff in 5.0..6.0_f32,
+        stiff in 4.5..7.5_f32,
         tilt in 0.0..0.6_f32,
-        history in 1..3_u8,
-        converged in any::<bool>(),
+        history in 0..3_u8,
+        iterations in prop::sample::select(vec![0, 1, 2, 3, 5, 10, 60]),
     ) {
-        let iterations = if converged { 40 } else { 5 };
         let settings = settings(Start::Galerkin(history), iterations, 1.0 / 150.0);
         let make = if rigid { balls } else { cubes };
-        let [pulls, pushes] = pulled(make(&settings, 10_f32.powf(stiff), tilt), &settings);
-        // Of 400 cases: at most 7.7 % where five iterations truncate the solve; converged, 1 % where a cube has many nodes
-        // in contact, and 3.6 % where a ball has few, most of it in one step. Means are a sixth of that, or less.
-        let part = match (converged, rigid) {
-            (false, _) => 0.12,
-            (true, true) => 0.06,
-            (true, false) => 0.02,
-        };
-        prop_assert!(pushes > 20.0 && pulls < part * pushes, "{pulls} of {pushes}");
+        let [pushes, unexplained] = pushed(make(&settings, 10_f32.powf(stiff), tilt), &settings)?;
+        prop_assert!(iterations == 0 || pushes > 10.0, "{pushes}");
+        // That is no matter of book-keeping: what the solver leaves where one let go is residual, and goes with the number of
+        // iterations (of stiffer bodies later: at 3e7 Pa, 60 are not enough). Of 400 cases: some 3 % at most.
+        let converged = iterations == 60 && stiff < 6.0;
+        prop_assert!(!converged || unexplained < 0.05 * pushes, "{unexplained} of {pushes}");
     }
 }
