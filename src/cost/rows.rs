@@ -26,7 +26,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 90] = [
     ("forces", NODES),
     ("start from velocity", ALL),
     ("start from velocity and force", ALL),
-    ("start from rest", ALL),
+    ("a search along the solution", ALL),
     ("a past velocity", NODES),
     ("rotations", NODES),
     ("held by pins", NODES),
@@ -93,7 +93,7 @@ pub const ROWS: [(&str, [bool; SIZES]); 90] = [
     ("couplings: a part and slot", ONCE),
     ("couplings: a rigid body", ONCE),
     ("couplings: a rigid body, a projection", ONCE),
-    ("islands", ALL),
+    ("islands", NODES),
     ("islands, a vector", NODES),
     ("islands, an iteration", NODES),
     ("islands: a part", ONCE),
@@ -143,7 +143,7 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
         u64::from(load.forces),
         is(Start::Velocity),
         is(Start::VelocityForce),
-        is(Start::Zero),
+        searches(load),
         load.start.history() as u64,
         u64::from(matches!(load.start, Start::Rigid(_))),
         u64::from(load.pins > 0),
@@ -183,6 +183,12 @@ fn iterations(load: &Load, budget: Budget) -> u64 {
     u64::from(budget.iterations) + u64::from(load.colliders > 0)
 }
 
+/// Of the line searches along the solution: one from rest, and with couplings where W has translations.
+fn searches(load: &Load) -> u64 {
+    let joined = load.coupled.parts() > 0;
+    u64::from(load.start == Start::Zero || (joined && load.start.is_augmented()))
+}
+
 /// Shapes of colliders, plastic flow and fracture.
 fn inelastic(load: &Load) -> [u64; 8] {
     let of = &load.shapes;
@@ -216,8 +222,7 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
     let guessed = matches!(load.start, Start::Velocity | Start::VelocityForce);
     let more = u64::from(guessed || load.moving);
     let free = u64::from(load.start.is_augmented());
-    let last = u64::from(load.start == Start::Zero) + free;
-    let applications = coupled * (k + w + more + last + u64::from(load.colliders > 0));
+    let applications = coupled * (k + w + more + searches(load) + u64::from(load.colliders > 0));
     let factored = factored(load);
     let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
