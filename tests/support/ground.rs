@@ -4,12 +4,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::reference::Reference;
+use super::reference::{Reference, solve_held};
 
 /// An oracle on the ground, with the velocities that W holds besides v(t).
 pub struct Grounded {
     pub body: Reference,
-    /// A node touches within this height, metres.
+    /// A node that starts a step deeper than this is pushed out without the speed of it, metres.
     margin: f64,
     /// v(t−h), …
     history: Vec<DVector<f64>>,
@@ -108,15 +108,13 @@ impl Grounded {
         body.v = v;
     }
 
-    /// Whether the node whose height is coordinate `dof` is pressed on the ground, or flies into it.
+    /// Whether the node whose height is coordinate `dof` is pressed on the ground: its neighbours moving along
+    /// with it, it would be below at the end of the step.
     fn touches(&self, dof: usize, A: &DMatrix<f64>, b: &DVector<f64>, mass: &DVector<f64>) -> bool {
         let (body, first) = (&self.body, dof - 1);
         let a = (0..3).map(|k| A[(first + k, first + k)]).sum::<f64>() / 3.0;
-        let (d, v, h) = (body.x[dof], body.v[dof], body.h);
-        let w = v + (b[dof] - mass[dof] * v) / a;
-        let approach = d + h * v;
-        let pressed = -(w + d / h) > 0.0;
-        pressed || (d > self.margin && approach < 0.0)
+        let w = body.v[dof] + (b[dof] - mass[dof] * body.v[dof]) / a;
+        body.x[dof] + body.h * w < 0.0
     }
 }
 
@@ -124,18 +122,7 @@ impl Grounded {
 #[allow(non_snake_case)]
 fn solve_pushed(A: &DMatrix<f64>, b: &DVector<f64>, targets: &mut [Option<f64>]) -> DVector<f64> {
     loop {
-        let kept: Vec<usize> = (0..b.len()).filter(|&dof| targets[dof].is_none()).collect();
-        let held = DVector::from_fn(b.len(), |dof, _| targets[dof].unwrap_or(0.0));
-        let right = (b - A * &held).select_rows(&kept);
-        let inner = A.select_rows(&kept).select_columns(&kept);
-        let solution = inner
-            .cholesky()
-            .expect("A is positive definite")
-            .solve(&right);
-        let mut v = held;
-        for (&dof, value) in kept.iter().zip(&solution) {
-            v[dof] = *value;
-        }
+        let v = solve_held(A, b, targets);
         let impulse = A * &v - b;
         let size = b.amax() * 1e-9;
         let pulls: Vec<usize> = (0..b.len())

@@ -192,28 +192,12 @@ impl Reference {
         (A, b)
     }
 
-    /// v⁺: prescribed where pinned; elsewhere A_ff v_f = b_f − A_fp v_p by Cholesky.
+    /// v⁺: prescribed where pinned.
     pub fn solve(&self, A: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
-        let free: Vec<usize> = (0..b.len())
-            .filter(|&d| self.pins[d / 3].is_none())
+        let held: Vec<Option<f64>> = (0..b.len())
+            .map(|dof| self.pins[dof / 3].map(|velocity| velocity[dof % 3]))
             .collect();
-        let mut v = self.pinned_velocity();
-        for &dof in &free {
-            v[dof] = 0.0;
-        }
-        if free.is_empty() {
-            return v;
-        }
-        let right = (b - A * &v).select_rows(&free);
-        let A_ff = A.select_rows(&free).select_columns(&free);
-        let v_f = A_ff
-            .cholesky()
-            .expect("A is positive definite")
-            .solve(&right);
-        for (&dof, value) in free.iter().zip(&v_f) {
-            v[dof] = *value;
-        }
-        v
+        solve_held(A, b, &held)
     }
 
     /// One step: rotations fitted to x(t) and frozen, one linear solve.
@@ -271,6 +255,26 @@ impl Reference {
         };
         Vector3::from_fn(|axis, _| side(axis)).norm()
     }
+}
+
+/// A v = b where v is not held: A_ff v_f = b_f − A_fp v_p, by Cholesky.
+#[allow(non_snake_case)]
+pub fn solve_held(A: &DMatrix<f64>, b: &DVector<f64>, held: &[Option<f64>]) -> DVector<f64> {
+    let free: Vec<usize> = (0..b.len()).filter(|&dof| held[dof].is_none()).collect();
+    let mut v = DVector::from_fn(b.len(), |dof, _| held[dof].unwrap_or(0.0));
+    if free.is_empty() {
+        return v;
+    }
+    let right = (b - A * &v).select_rows(&free);
+    let A_ff = A.select_rows(&free).select_columns(&free);
+    let v_f = A_ff
+        .cholesky()
+        .expect("A is positive definite")
+        .solve(&right);
+    for (&dof, value) in free.iter().zip(&v_f) {
+        v[dof] = *value;
+    }
+    v
 }
 
 /// The rotation Q that maximises tr(QᵀF): U Vᵀ, with the direction of the smallest singular
