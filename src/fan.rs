@@ -203,7 +203,7 @@ impl<R: Lanes, const N: usize> Sums<R, N> {
     }
 
     /// [`Self::scatter`] once in the binary: a lane's sums are in memory anyway. Eight copies of each loop would be
-    /// 2 KB of flash, so the compiler is not to know that there are eight.
+    /// much flash (`.ci/run size`), so the compiler is not to know that there are eight.
     #[inline(never)]
     fn scatter_lanes(sums: &[Self], out: &mut [[f32; N]], nodes: &Nodes, balanced: bool) {
         Self::scatter(core::hint::black_box(sums), out, nodes, balanced);

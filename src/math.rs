@@ -1,8 +1,8 @@
 //! The only door to scalar maths.
 //!
 //! A step uses `+ − × ÷`, comparisons and [`sqrt`], all of which IEEE 754 rounds correctly, so
-//! that every target gives the same bits. Not allowed in a step, each for a measured reason:
-//! `mul_add` (130 instructions of soft double on a Cortex-M4F, other bits than `a * b + c`),
+//! that every target gives the same bits. Not allowed in a step, each for a reason:
+//! `mul_add` (a routine in soft double on a Cortex-M4F, other bits than `a * b + c`),
 //! `f32::max`/`min` (the sign of a zero differs between debug and release builds), and anything
 //! transcendental.
 //!
@@ -37,7 +37,7 @@ fn wasm_sqrt(x: f32) -> f32 {
     sqrtf(x)
 }
 
-/// `libm` has 52 to 66 instructions here, as many as its argument likes. Inline assembly cannot name the FPU's
+/// How many instructions `libm` takes here depends on its argument. Inline assembly cannot name the FPU's
 /// registers as operands on stable Rust, so the bits go through a core register.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[allow(unsafe_code)]

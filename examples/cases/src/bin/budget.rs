@@ -28,6 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         loads(&BAR.nodes, &fans::BAR)?,
         loads(&LARGE.nodes, &fans::LARGE)?,
     ];
+    let [in_cells, _] = self::loads(&CUBE.nodes, &CUBE.tets)?;
     println!("Thousands of instructions of a step, 5 iterations, 1 sweep, Jacobi, free body\n");
     println!(
         "| machine | nodes | {} |",
@@ -42,6 +43,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
+    println!(
+        "\nThe first mesh in the order of its cells, `galerkin-1`: times what it takes in fans\n"
+    );
+    for (name, machine) in Machine::ALL {
+        let [cells, fans] = [in_cells, loads[0][0]].map(|load| budget.cost(&load, machine) as f64);
+        println!("{name}: {:.2}", cells / fans);
+    }
     println!(
         "\nThe same for `galerkin-1` by preconditioner; factors with {ENTRIES} entries a node, {DEFAULT_AGGREGATES} aggregates\n"
     );
