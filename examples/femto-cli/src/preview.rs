@@ -6,6 +6,8 @@ mod chart;
 mod panel;
 mod solid;
 
+use std::path::Path;
+
 use femto::surface::boundary_triangles;
 use glam::{DVec2, DVec3};
 use svg::Document;
@@ -170,7 +172,7 @@ impl<'a> Preview<'a> {
                     .set("height", "100%")
                     .set("fill", "#ffffff"),
             )
-            .add(text(&self.scene.file, MARGIN, 30.0, 20.0, "#1d2733").set("font-weight", "bold"))
+            .add(text(&self.title(), MARGIN, 30.0, 20.0, "#1d2733").set("font-weight", "bold"))
             .add(text(
                 &self.subtitle(follows, refused),
                 MARGIN,
@@ -220,18 +222,28 @@ impl<'a> Preview<'a> {
         document.to_string()
     }
 
+    /// The scene file without its folders: where it lies is not what the picture shows.
+    fn title(&self) -> String {
+        let name = Path::new(&self.scene.file).file_name();
+        name.map_or_else(
+            || self.scene.file.clone(),
+            |name| name.to_string_lossy().into_owned(),
+        )
+    }
+
     fn subtitle(&self, follows: bool, refused: bool) -> String {
         let scene = self.scene;
         let nodes: usize = scene.bodies.iter().map(|b| b.rest.len()).sum();
         let tets: usize = scene.bodies.iter().map(|b| b.tets.len()).sum();
         let budget = scene.budget;
         let mut line = format!(
-            "{nodes} nodes, {tets} tets · {} steps of {} s · {} × {} iterations, {} polar sweeps, {}, start {}",
+            "{nodes} nodes, {tets} tets · {} steps of {} s · {} × {} iterations, {} polar sweep{}, {}, start {}",
             scene.steps,
             trim(scene.dt),
             budget.substeps,
             budget.iterations,
             budget.polar_sweeps,
+            if budget.polar_sweeps == 1 { "" } else { "s" },
             scene.solver.preconditioner,
             scene.solver.start
         );
