@@ -66,7 +66,8 @@ pub enum JoinError {
     Node,
     /// A soft body after a rigid one.
     Order,
-    /// The mass or a size of a rigid body is not positive, or out of range; or it is not placed by finite numbers.
+    /// The mass or a size of a rigid body is not positive, or out of range; or it is not placed by finite numbers, or so
+    /// far from the origin that rounding its nodes leaves no volume.
     Rigid,
     /// The coefficient of friction is negative or not finite.
     Friction,
@@ -80,7 +81,9 @@ impl core::fmt::Display for JoinError {
             Self::TooManyNodes => f.write_str("more nodes in all than can be numbered"),
             Self::Node => f.write_str("a tetrahedron names a node that does not exist"),
             Self::Order => f.write_str("soft bodies must come before rigid ones"),
-            Self::Rigid => f.write_str("mass and sizes must be positive and in range"),
+            Self::Rigid => f.write_str(
+                "mass and sizes must be positive, in range, and not lost in rounding where it is",
+            ),
             Self::Friction => {
                 f.write_str("the coefficient of friction must be finite and not negative")
             }

@@ -29,9 +29,9 @@ pub struct Args {
     #[arg(long, value_name = "SCENE.toml")]
     scene: Option<PathBuf>,
 
-    /// Which body of the scene, from 0
-    #[arg(long, value_name = "N", default_value_t = 0, requires = "scene")]
-    body: usize,
+    /// Which body of the scene, from 0, the default
+    #[arg(long, value_name = "N")]
+    body: Option<usize>,
 
     #[command(flatten)]
     direct: Direct,
@@ -129,16 +129,26 @@ fn list<const N: usize>(text: &str) -> Result<[f64; N], String> {
 
 /// Returns the exit status.
 pub fn command(args: &Args) -> Result<u8, Error> {
-    let (scene, body) = match &args.scene {
-        Some(path) => (scene::load(path)?, args.body),
-        None => (args.direct.scene().map_err(as_option)?, 0),
+    let (scene, body) = match (&args.scene, args.body) {
+        (Some(path), body) => (scene::load(path)?, body.unwrap_or(0)),
+        (None, None) => (args.direct.scene().map_err(as_option)?, 0),
+        (None, Some(body)) => {
+            return Err(Error::Option {
+                option: "--body",
+                value: body.to_string(),
+                why: "there are no bodies without --scene".into(),
+            });
+        }
     };
     let soft = scene.soft_bodies();
     if body >= soft {
         return Err(Error::Option {
             option: "--body",
             value: body.to_string(),
-            why: format!("the scene has {soft} bodies, from 0"),
+            why: match soft {
+                1 => "the scene has one body, 0".into(),
+                _ => format!("the scene has {soft} bodies, from 0"),
+            },
         });
     }
     if scene.layout != scene::Layout::Factored {

@@ -6,7 +6,7 @@ use femto::detect::Aabb;
 use femto::glam::Vec3;
 use femto::join::Assembly;
 use femto::material::Regions;
-use femto::mesh::Mesh;
+use femto::mesh::{Mesh, MeshError};
 use femto::order::fans;
 use femto::owned::OwnedRest;
 use femto::rigid::{Rigid, Shape};
@@ -386,6 +386,7 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         let bad = |why: String| wrong(i, body.source.clone(), why);
         match i.checked_sub(soft) {
             None => {
+                prepare::check_placed(scene, i)?;
                 let own = prepare::materials(scene, body)?;
                 parts
                     .soft(&body.rest, &body.tets, own[0], friction)
@@ -418,7 +419,7 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         materials: &materials,
         of: &of,
     };
-    let mesh = |e: femto::mesh::MeshError| wrong(0, scene.bodies[0].source.clone(), e.to_string());
+    let mesh = |e| bad_tet(scene, &parts, &ordered.original, e);
     let checked = Mesh::new(&parts.nodes, &ordered.tets).map_err(mesh)?;
     let rest = L::build(&checked, &regions, &substances, &ordered.original).map_err(mesh)?;
     if coupled.edges {
@@ -450,6 +451,31 @@ pub fn joint<L: Build>(scene: &Scene, coupled: &Coupled) -> Result<(Joint, Owned
         parts,
     };
     Ok((joint, rest))
+}
+
+/// Says whose tetrahedron is wrong, and which, as the file counts.
+fn bad_tet(scene: &Scene, parts: &Assembly, original: &[usize], error: MeshError) -> Error {
+    let MeshError::OutOfScale { tet } = error else {
+        return prepare::bad_mesh(scene, 0, "", error);
+    };
+    let tet = original.get(tet as usize).copied().unwrap_or_default();
+    let all = parts.parts.iter().enumerate();
+    let (body, first) = all
+        .filter(|(_, part)| part.tets.start <= tet)
+        .map(|(body, part)| (body, part.tets.start))
+        .last()
+        .unwrap_or_default();
+    let tet = (tet - first) as u32;
+    let soft = scene.soft_bodies();
+    match body.checked_sub(soft) {
+        None => prepare::bad_mesh(scene, body, "", MeshError::OutOfScale { tet }),
+        Some(rigid) => Error::Value {
+            file: scene.file.clone(),
+            key: format!("rigid[{rigid}]"),
+            value: scene.bodies[body].source.clone(),
+            why: "its mass is out of range beside those of the other bodies".into(),
+        },
+    }
 }
 
 impl Joint {

@@ -131,17 +131,30 @@ pub fn materials(scene: &Scene, body: &Body) -> Result<Vec<Material>, Error> {
     body.substances.list.iter().map(of).collect()
 }
 
+/// Says which body's mesh is wrong.
+pub fn bad_mesh(scene: &Scene, index: usize, how: &str, error: MeshError) -> Error {
+    Error::Value {
+        file: scene.file.clone(),
+        key: format!("body[{index}].mesh"),
+        value: scene.bodies[index].source.clone(),
+        why: format!("{how}{error}"),
+    }
+}
+
+/// The mesh itself has been checked: what is wrong here, its place has done.
+pub fn check_placed(scene: &Scene, index: usize) -> Result<(), Error> {
+    let body = &scene.bodies[index];
+    let placed = Mesh::new(&body.rest, &body.tets);
+    placed.map_err(|e| bad_mesh(scene, index, "placed and rounded to f32: ", e))?;
+    Ok(())
+}
+
 /// The rest data of a body of the scene.
 pub fn rest<L: Build>(scene: &Scene, index: usize) -> Result<OwnedRest<L>, Error> {
     let body = &scene.bodies[index];
     let materials = materials(scene, body)?;
-    let mesh = |e: MeshError| Error::Value {
-        file: scene.file.clone(),
-        key: format!("body[{index}].mesh"),
-        value: body.source.clone(),
-        why: e.to_string(),
-    };
-    Mesh::new(&body.rest, &body.tets).map_err(mesh)?;
+    let mesh = |e: MeshError| bad_mesh(scene, index, "", e);
+    check_placed(scene, index)?;
     let ordered = fans(&body.tets);
     let checked = Mesh::new(&body.rest, &ordered.tets).map_err(mesh)?;
     let of: Vec<u16> = ordered

@@ -3,6 +3,8 @@
 
 use std::collections::HashMap;
 use std::fmt::Debug;
+use std::fs::File;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use femto_bake::Kind;
@@ -165,13 +167,24 @@ impl Meshes for PathBuf {
     }
 }
 
+/// Bytes of a scene file; devices and pipes may never end.
+const LONGEST: u64 = 64 << 20;
+
 /// Reads a scene file and everything that it names.
 pub fn load(path: &Path) -> Result<Scene, Error> {
     let name = path.display().to_string();
-    let bytes = std::fs::read(path).map_err(|source| Error::Read {
+    let mut bytes = Vec::new();
+    let file = File::open(path).and_then(|file| file.take(LONGEST + 1).read_to_end(&mut bytes));
+    file.map_err(|source| Error::Read {
         path: path.into(),
         source,
     })?;
+    if bytes.len() as u64 > LONGEST {
+        return Err(Error::Scene {
+            file: name,
+            what: format!("has more than {} MB", LONGEST >> 20),
+        });
+    }
     let text = String::from_utf8(bytes).map_err(|_| Error::Scene {
         file: name.clone(),
         what: "is not UTF-8 text".into(),

@@ -22,7 +22,7 @@ pub struct Args {
     /// The scene, a TOML file
     pub scene: PathBuf,
     /// Look at so many steps of it
-    #[arg(long, default_value_t = 100)]
+    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
     pub steps: u32,
 }
 
@@ -66,6 +66,14 @@ struct Entry {
 /// Returns the exit status.
 pub fn command(args: &Args) -> Result<u8, Error> {
     let mut scene = scene::load(&args.scene)?;
+    if scene.steps == 0 {
+        return Err(Error::Value {
+            file: scene.file,
+            key: "time.steps".into(),
+            value: "0".into(),
+            why: "there is nothing to measure".into(),
+        });
+    }
     scene.steps = scene.steps.min(args.steps);
     let Some((truth, _)) = follow(&scene, "galerkin-2", "jacobi", TRUTH)? else {
         eprintln!("error: {}: the exact run was refused", scene.file);

@@ -24,7 +24,8 @@ pub struct TraceRow {
     pub lx: f64,
     pub ly: f64,
     pub lz: f64,
-    pub min_det: f64,
+    /// Of the tets that have not broken; empty where all have.
+    pub min_det: Option<f64>,
     pub contacts: u32,
 }
 
@@ -45,7 +46,7 @@ impl TraceRow {
             lx,
             ly,
             lz,
-            min_det: after.min_det,
+            min_det: after.min_det.is_finite().then_some(after.min_det),
             contacts: info.contacts,
         }
     }

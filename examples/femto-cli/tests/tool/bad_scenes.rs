@@ -205,6 +205,11 @@ fn files_that_are_no_scene() {
             "expected {expected}\nfound    {line}"
         );
     }
+    let endless = std::fs::File::create(folder.path("long.toml")).expect("a file");
+    endless.set_len((64 << 20) + 1).expect("room");
+    let run = folder.femto(&["run", "long.toml", "--out", "out"]);
+    let line = "error: long.toml: has more than 64 MB\n";
+    assert_eq!((run.status, run.err.as_str()), (2, line));
     // Every beginning of a good scene is an error or a scene, never a crash.
     for end in (0..BEAM.len()).step_by(7) {
         folder.write("scene.toml", &BEAM.as_bytes()[..end]);

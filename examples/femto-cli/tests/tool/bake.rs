@@ -216,11 +216,13 @@ const ROWS: &[(&[&str], &str)] = &[
     (&["--scale", "0"], "command line: --scale = 0.0: must be above 0"),
     (&["--rotate", "0,0,0,5"], "command line: --rotate = [0.0, 0.0, 0.0]: must not be zero"),
     (&["--translate", "nan,0,0"], "command line: --translate = [NaN, 0.0, 0.0]: must be finite"),
+    (&["--translate", "1e30,0,0"], "command line: MESH = \"one.node\": placed and rounded to f32: tetrahedron 0"),
     (&["--start", "rest"], "command line: --start = \"rest\": must be zero, velocity,"),
     (&["--pin-box", "5,5,5,6,6,6"], "command line: --pin-box = [[5.0, 5.0, 5.0], [6.0, 6.0, 6.0]]: holds no node of"),
     (&["--pin-sphere", "0,0,0,-1"], "command line: --pin-sphere = -1.0: must be above 0"),
     (&["--drop", "0.1"], "--drop 0.1: there is no factor without --preconditioner"),
     (&["--drop", "-1", "--preconditioner", "warped"], "--drop -1: must be finite and not negative"),
+    (&["--body", "1"], "--body 1: there are no bodies without --scene"),
     (&["--rust", "nowhere/a.rs"], "--rust nowhere/a.rs: cannot be written: "),
 ];
 
@@ -250,7 +252,7 @@ fn bad_input_is_one_line_and_writes_nothing() {
     folder.write("cube.toml", CUBE);
     let scene = ["bake", "--scene", "cube.toml", "-o", "a.femto"];
     let body = [&scene[..], &["--body", "1"]].concat();
-    fails(&body, "--body 1: the scene has 1 bodies, from 0");
+    fails(&body, "--body 1: the scene has one body, 0");
     folder.write(
         "cube.toml",
         CUBE.replace("[solver]", "[solver]\nlayout = \"dense\""),

@@ -233,3 +233,19 @@ fn assets_have_no_fibres() {
         .femto(&["bake", "--scene", "scene.toml", "--out", "bar.femto"])
         .succeeds();
 }
+
+/// What has failed has no det F; where all has, there is none to write.
+#[test]
+fn a_body_that_is_all_in_pieces_has_no_det() {
+    let folder = Folder::new();
+    let law = "[body.fracture]\nstrength = 1.0\nper_step = 16";
+    folder.run(&with(law), &[]).succeeds();
+    let trace = folder.read("out/trace.csv");
+    let dets: Vec<&str> = trace
+        .lines()
+        .filter_map(|row| row.split(',').nth(12))
+        .collect();
+    let (first, last) = (dets[1], dets[dets.len() - 1]);
+    assert!(first.parse::<f64>().is_ok_and(f64::is_finite), "{first}");
+    assert_eq!(last, "");
+}

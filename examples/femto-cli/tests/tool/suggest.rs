@@ -40,6 +40,14 @@ fn a_bad_scene_is_an_error() {
     folder.write("bad.toml", BEAM.replace("young = 1e5", "young = -1"));
     fails(folder.femto(&["suggest", "bad.toml"]), "young");
     fails(folder.femto(&["suggest", "nothing.toml"]), "nothing.toml");
+    folder.write("still.toml", BEAM.replace("steps = 10", "steps = 0"));
+    let nothing = "still.toml: time.steps = 0: there is nothing to measure";
+    fails(folder.femto(&["suggest", "still.toml"]), nothing);
+    folder.write("beam.toml", BEAM);
+    fails(
+        folder.femto(&["suggest", "beam.toml", "--steps", "0"]),
+        "--steps",
+    );
 }
 
 fn fails(run: Run, names: &str) {
