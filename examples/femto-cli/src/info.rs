@@ -91,9 +91,12 @@ fn describe(text: &mut String, mesh: &Mesh) {
         }
     }
 
-    // Tets whose nodes exist; the others are among the problems.
+    // Tets whose nodes exist and are somewhere; the others are among the problems.
     let tets: Vec<usize> = (0..mesh.tets.len())
-        .filter(|&t| mesh.corners(mesh.tets[t]).is_some())
+        .filter(|&t| {
+            let corners = mesh.corners(mesh.tets[t]);
+            corners.is_some_and(|corners| corners.iter().all(|c| c.is_finite()))
+        })
         .collect();
     let nodes: Vec<[u32; 4]> = tets.iter().map(|&t| mesh.tets[t]).collect();
     let corners: Vec<[DVec3; 4]> = nodes.iter().filter_map(|&t| mesh.corners(t)).collect();

@@ -23,6 +23,9 @@ use panel::{Bounds, Panel};
 /// How many states a picture shows.
 pub const MOMENTS: u32 = 5;
 
+/// A picture of more would take gigabytes.
+const MOST_COLLIDERS: usize = 500;
+
 const WIDTH: f64 = 1200.0;
 const MARGIN: f64 = 24.0;
 const GAP: f64 = 10.0;
@@ -247,6 +250,12 @@ impl<'a> Preview<'a> {
             scene.solver.preconditioner,
             scene.solver.start
         );
+        if scene.colliders.len() > MOST_COLLIDERS {
+            line += &format!(
+                " · only {MOST_COLLIDERS} of {} colliders",
+                scene.colliders.len()
+            );
+        }
         if follows {
             line += " · each view follows the bodies";
         }
@@ -283,7 +292,8 @@ impl<'a> Preview<'a> {
             shape: c.shape_at(time),
             ..c.clone()
         };
-        self.scene.colliders.iter().map(at).collect()
+        let shown = self.scene.colliders.iter().take(MOST_COLLIDERS);
+        shown.map(at).collect()
     }
 }
 

@@ -35,6 +35,11 @@ pub enum Problem {
     Unused {
         node: u64,
     },
+    /// With the nodes of another, in any order.
+    TetTwice {
+        tet: u64,
+        other: u64,
+    },
     /// A number given twice by the file.
     NodeTwice {
         node: u64,
@@ -70,6 +75,9 @@ impl fmt::Display for Problem {
                 )
             }
             Problem::Unused { node } => write!(f, "node {node}: belongs to no tet"),
+            Problem::TetTwice { tet, other } => {
+                write!(f, "tet {tet}: has the nodes of tet {other}")
+            }
             Problem::NodeTwice { node } => write!(f, "node {node}: is given twice"),
             Problem::Other(what) => f.write_str(what),
         }
@@ -77,7 +85,7 @@ impl fmt::Display for Problem {
 }
 
 /// All problems: those of the reader, then those that the library finds in the mesh as it
-/// sees it, rounded to f32.
+/// sees it, rounded to f32, and tets that are there twice: they would have twice the mass.
 pub fn problems(mesh: &Mesh) -> Vec<Problem> {
     let mut found = mesh.problems.clone();
     if mesh.nodes.is_empty() {
@@ -120,6 +128,17 @@ pub fn problems(mesh: &Mesh) -> Vec<Problem> {
             other => Problem::Other(other.to_string()),
         });
     });
+    let mut sorted: Vec<([u32; 4], u32)> = mesh.tets.iter().copied().zip(0..).collect();
+    for (nodes, _) in &mut sorted {
+        nodes.sort_unstable();
+    }
+    sorted.sort_unstable();
+    let pairs = sorted.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+    let known = pairs.filter(|pair| mesh.corners(pair[0].0).is_some());
+    found.extend(known.map(|pair| Problem::TetTwice {
+        tet: tet(pair[1].1),
+        other: tet(pair[0].1),
+    }));
     found
 }
 
@@ -181,6 +200,12 @@ mod tests {
                 "node 5: belongs to no tet",
             ]
         );
+    }
+
+    #[test]
+    fn a_tet_that_is_there_twice_is_named() {
+        let found = problems(&mesh(&UNIT, &[[0, 1, 2, 3], [1, 2, 0, 3]]));
+        assert_eq!(found, [Problem::TetTwice { tet: 2, other: 1 }]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use glam::{DVec2, DVec3};
+use svg::node::Blob;
 use svg::node::element::{ClipPath, Group, Path, Rectangle};
 
 use super::camera::{Camera, Frame};
@@ -135,13 +136,15 @@ impl Panel<'_> {
             facets.extend(solid.filter_map(|c| self.facet(c, super::BODIES.len())));
         }
         facets.sort_by(|a, b| a.depth.total_cmp(&b.depth));
+        // As text: an element each would take ten times the memory.
+        let path = |f: &Facet| {
+            let d = self.outline(&f.corners);
+            format!(r#"<path class="c{}-{}" d="{d}"/>"#, f.colour, f.shade)
+        };
+        let paths: Vec<String> = facets.iter().map(path).collect();
         let mut triangles = Group::new().set("class", "s");
-        for facet in &facets {
-            triangles = triangles.add(
-                Path::new()
-                    .set("class", format!("c{}-{}", facet.colour, facet.shade))
-                    .set("d", self.outline(&facet.corners)),
-            );
+        if !paths.is_empty() {
+            triangles = triangles.add(Blob::new(paths.join("\n")));
         }
         let border = Rectangle::new()
             .set("width", px(width))

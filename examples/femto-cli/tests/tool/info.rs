@@ -66,6 +66,19 @@ fn everything_wrong_is_listed() {
     );
 }
 
+/// A node at no place has no part in sizes and shapes.
+#[test]
+fn what_is_not_finite_is_not_measured() {
+    let folder = Folder::new();
+    folder.write("nan.node", NODE.replace("5 1 1 1", "5 1 nan 1"));
+    folder.write("nan.ele", ELE);
+    let run = folder.femto(&["info", "nan.node"]);
+    assert_eq!(run.status, 2);
+    let (measured, wrong) = run.out.split_once("thing wrong").expect("a list");
+    assert!(measured.contains("tet 1 0.840") && !measured.contains("NaN"));
+    assert!(wrong.contains("node 5: its position [1.0, NaN, 1.0] is not finite"));
+}
+
 #[test]
 fn a_long_list_is_cut() {
     let folder = Folder::new();

@@ -1,6 +1,6 @@
 //! Colliders, loads and turning pins of scene files: what they do, seen in the results.
 
-use crate::support::{Folder, table};
+use crate::support::{BEAM, Folder, table};
 
 /// A cube of side 0.5 above the origin.
 const CUBE: &str = r#"
@@ -130,4 +130,17 @@ fn pins_follow_a_turning_frame() {
             "{row:?}"
         );
     }
+}
+
+/// However many colliders there are, a picture shows a number of them that can be drawn, and says so.
+#[test]
+fn a_picture_of_many_colliders_has_some() {
+    let folder = Folder::new();
+    let far =
+        |i: usize| format!("[[collider]]\nbox = {{ centre = [{i}, -9, 0], size = [1, 1, 1] }}\n");
+    let many: String = (0..501).map(far).collect();
+    let scene = BEAM.replace("steps = 10", "steps = 0");
+    folder.run(&format!("{scene}\n{many}"), &[]).succeeds();
+    let picture = folder.read("out/preview.svg");
+    assert!(picture.contains("only 500 of 501 colliders"));
 }
