@@ -1,6 +1,8 @@
 //! `femto bake`: a mesh with its material and factor, as bytes to embed in a program.
 
 use std::fmt::Write as _;
+use std::fs::File;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
@@ -384,8 +386,17 @@ fn bake(scene: &Scene, index: usize, options: Option<FactorOptions>) -> Result<V
     Ok(bytes.to_vec())
 }
 
+/// All of it or nothing.
 fn write(option: &'static str, path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    std::fs::write(path, bytes).map_err(|e| Error::Option {
+    let written = File::create(path).and_then(|mut file| {
+        file.write_all(bytes).inspect_err(|_| {
+            if path.is_file() {
+                // The error to tell is the first.
+                let _ = std::fs::remove_file(path);
+            }
+        })
+    });
+    written.map_err(|e| Error::Option {
         option,
         value: path.display().to_string(),
         why: format!("cannot be written: {e}"),

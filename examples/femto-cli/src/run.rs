@@ -277,11 +277,14 @@ impl<'a> Files<'a> {
         }
     }
 
+    /// Takes away what is half written, too.
     fn wrong(&self, name: &str, source: io::Error) -> Error {
-        Error::Write {
-            path: self.out.join(name),
-            source,
+        let path = self.out.join(name);
+        if path.is_file() {
+            // The error to tell is the first.
+            let _ = fs::remove_file(&path);
         }
+        Error::Write { path, source }
     }
 
     fn frame(&mut self, time: f64, sim: &Sim, bodies: &[Body]) -> Result<(), Error> {

@@ -1,6 +1,6 @@
 //! `femto bake`, and `femto info` of what it made.
 
-use crate::support::Folder;
+use crate::support::{BEAM, Folder};
 use femto::asset::{Asset, AssetBytes};
 
 /// As `femto bake --rust` wrote it; that this compiles is a part of the test.
@@ -281,4 +281,18 @@ fn a_damaged_asset_is_named() {
     assert_eq!(run.status, 2);
     let line = "error: bad.femto: was changed: its checksum is ";
     assert!(run.err.starts_with(line), "{}", run.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn half_an_asset_is_none() {
+    let folder = Folder::new();
+    folder.write("beam.toml", BEAM.replace("[4, 1, 1]", "[8, 2, 2]"));
+    for option in ["--out", "--rust"] {
+        let run = folder.femto_on_a_full_disk(&["bake", "--scene", "beam.toml", option, "half"]);
+        let line = format!("error: {option} half: cannot be written: ");
+        assert!(run.err.starts_with(&line), "{}", run.err);
+        assert_eq!((run.status, run.err.lines().count()), (2, 1));
+        assert!(!folder.path("half").exists());
+    }
 }

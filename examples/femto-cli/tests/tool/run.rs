@@ -414,3 +414,15 @@ fn a_folder_that_cannot_be_filled_is_named() {
         assert_eq!((run.status, run.err.lines().count()), (2, 1));
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn half_a_result_is_none() {
+    let folder = Folder::new();
+    folder.write("scene.toml", BEAM);
+    let run = folder.femto_on_a_full_disk(&["run", "scene.toml", "--out", "out"]);
+    let line = "error: out/preview.svg: cannot be written: ";
+    assert!(run.err.starts_with(line), "{}", run.err);
+    assert_eq!((run.status, run.err.lines().count()), (2, 1));
+    assert!(folder.path("out/trace.csv").exists() && !folder.path("out/preview.svg").exists());
+}

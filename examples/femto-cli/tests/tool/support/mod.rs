@@ -58,6 +58,19 @@ impl Folder {
         Run::new(output)
     }
 
+    /// With files of at most 4 KB, as on a disk that is full.
+    #[cfg(unix)]
+    pub fn femto_on_a_full_disk(&self, arguments: &[&str]) -> Run {
+        let output = Command::new("sh")
+            .args(["-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "sh"])
+            .arg(env!("CARGO_BIN_EXE_femto"))
+            .args(arguments)
+            .current_dir(self.0.path())
+            .output()
+            .expect("the binary runs");
+        Run::new(output)
+    }
+
     /// Runs a scene into `out`.
     pub fn run(&self, scene: &str, arguments: &[&str]) -> Run {
         self.write("scene.toml", scene);
