@@ -463,7 +463,7 @@ fn bad_tet(scene: &Scene, parts: &Assembly, original: &[usize], error: MeshError
     let (body, first) = all
         .filter(|(_, part)| part.tets.start <= tet)
         .map(|(body, part)| (body, part.tets.start))
-        .last()
+        .next_back()
         .unwrap_or_default();
     let tet = (tet - first) as u32;
     let soft = scene.soft_bodies();

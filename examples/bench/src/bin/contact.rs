@@ -9,10 +9,17 @@ const RUNS: usize = 5;
 
 fn main() -> Result<(), String> {
     let only: Vec<String> = std::env::args().skip(1).collect();
+    const SCENES: [(&str, bool); 3] = [("tower", false), ("bowling", true), ("cars", false)];
+    if let Some(unknown) = only
+        .iter()
+        .find(|one| SCENES.iter().all(|(scene, _)| scene != one))
+    {
+        return Err(format!("no scene {unknown} here"));
+    }
     let snowman = step_times("snowman", Search::None, RUNS, clock::now)?[0];
     println!("the snowman's fastest step: {:.3} ms\n", 1e3 * snowman);
     println!("| scene | search | fastest | median | slowest |\n|---|---|---|---|---|");
-    for (scene, rigid) in [("tower", false), ("bowling", true), ("cars", false)] {
+    for (scene, rigid) in SCENES {
         if !only.is_empty() && !only.iter().any(|one| one == scene) {
             continue;
         }

@@ -7,13 +7,12 @@
 //! converged run of the same time step, root mean square over nodes, mean over steps, over the
 //! bounding box's diagonal. Time is that of a step, everything included, in units of one K apply on the same mesh.
 
-#[path = "../gmsh.rs"]
-mod gmsh;
 #[path = "../mesh.rs"]
 #[allow(dead_code, reason = "the benchmark uses more of it")]
 mod mesh;
 
 use std::hint::black_box;
+use std::process::ExitCode;
 use std::time::Duration;
 
 use femto::element::Factored;
@@ -28,6 +27,7 @@ use femto::step::step;
 use femto::{Budget, Factor, Material, Mesh, Pin, Preconditioner, Scene, Settings, Start};
 use femto_bake::{FactorOptions, Kind, Precision};
 use femto_bench::clock::{self, Effort, Kernel};
+use femto_bench::mesh_file;
 
 /// What the thinned factor drops.
 const THINNED: f64 = 0.005;
@@ -51,32 +51,31 @@ struct Method<'a> {
     iterations: u32,
 }
 
-fn main() {
+fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
-    let mut cases = vec![snowman(), cantilever()];
-    if let [file, node, radius] = args.as_slice() {
-        cases = vec![own(
-            file,
-            node.parse().expect("a node number"),
-            radius.parse().expect("a radius"),
-        )];
-    } else if !args.is_empty() {
-        eprintln!("usage: factors [MESH.msh NODE RADIUS]");
-        std::process::exit(2);
+    let cases = match args.as_slice() {
+        [] => snowman().map(|snowman| vec![snowman, cantilever()]),
+        [file, node, radius] => match (node.parse(), radius.parse()) {
+            (Ok(node), Ok(radius)) => own(file, node, radius).map(|own| vec![own]),
+            _ => Err(format!("{node} and {radius} must be a node and a length")),
+        },
+        _ => Err("usage: factors [MESH.msh NODE RADIUS]".into()),
+    };
+    match cases {
+        Ok(cases) => cases.iter().for_each(report),
+        Err(why) => {
+            eprintln!("error: {why}");
+            return ExitCode::from(2);
+        }
     }
-    for case in cases {
-        report(&case);
-    }
+    ExitCode::SUCCESS
 }
 
-fn snowman() -> Case {
-    let (nodes, tets) = gmsh::load(concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../femto-cli/meshes/snowman.msh"
-    ));
+fn snowman() -> Result<Case, String> {
+    let (nodes, tets) = mesh_file::load(mesh_file::SNOWMAN)?;
     let top = nodes.iter().map(|x| x[1]).fold(f32::MIN, f32::max);
     let held = near(&nodes, |x| x[1] > top - 0.15);
-    Case {
+    Ok(Case {
         name: "snowman, hung by its head".into(),
         nodes,
         tets,
@@ -85,7 +84,7 @@ fn snowman() -> Case {
         dt: 1.0 / 150.0,
         steps: 150,
         held,
-    }
+    })
 }
 
 fn cantilever() -> Case {
@@ -104,14 +103,17 @@ fn cantilever() -> Case {
 }
 
 /// Scaled to a tenth and turned by 180° about y.
-fn own(file: &str, node: usize, radius: f32) -> Case {
-    let (mut nodes, tets) = gmsh::load(file);
+fn own(file: &str, node: usize, radius: f32) -> Result<Case, String> {
+    let (mut nodes, tets) = mesh_file::load(file)?;
     for x in &mut nodes {
         *x = [-0.1 * x[0], 0.1 * x[1], -0.1 * x[2]];
     }
-    let centre = Vec3::from_array(nodes[node]);
+    let centre = nodes
+        .get(node)
+        .ok_or_else(|| format!("{file}: has no node {node}"))?;
+    let centre = Vec3::from_array(*centre);
     let held = near(&nodes, |x| Vec3::from_array(x).distance(centre) < radius);
-    Case {
+    Ok(Case {
         name: file.into(),
         nodes,
         tets,
@@ -120,7 +122,7 @@ fn own(file: &str, node: usize, radius: f32) -> Case {
         dt: 0.01,
         steps: 80,
         held,
-    }
+    })
 }
 
 fn near(nodes: &[[f32; 3]], inside: impl Fn([f32; 3]) -> bool) -> Vec<u32> {

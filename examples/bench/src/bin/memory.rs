@@ -1,8 +1,6 @@
 //! Bytes of a body, as the README's tables have them: by the crate's own `const fn`s, and of factors
 //! that are made here (E = 1e5 Pa, ν = 0.4, 1000 kg/m³, h = 1/150 s, nothing held).
 
-#[path = "../gmsh.rs"]
-mod gmsh;
 #[path = "../mesh.rs"]
 #[allow(dead_code, reason = "the benchmark uses more of it")]
 mod mesh;
@@ -13,13 +11,9 @@ use femto::element::{Dense, Factored, Layout};
 use femto::owned::OwnedRest;
 use femto::{Material, Mesh, Settings, Start, blocks};
 use femto_bake::{FactorOptions, Kind, Precision, factor};
+use femto_bench::mesh_file;
 
-const SNOWMAN: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/../femto-cli/meshes/snowman.msh"
-);
-
-fn main() {
+fn main() -> Result<(), String> {
     let cells = |cells| {
         let scene = mesh::box_scene(cells);
         (scene.nodes, scene.tets)
@@ -27,7 +21,7 @@ fn main() {
     let meshes = [
         cells([3, 3, 3]),
         cells([12, 3, 3]),
-        gmsh::load(SNOWMAN),
+        mesh_file::load(mesh_file::SNOWMAN)?,
         cells([16, 16, 16]),
     ];
     println!("| nodes | tetrahedra | layout | start | rest | state | workspace |");
@@ -46,6 +40,7 @@ fn main() {
             factors(nodes, tets, name, kind);
         }
     }
+    Ok(())
 }
 
 fn row<L: Layout>(nodes: usize, tets: usize, layout: &str, start: Start) {
