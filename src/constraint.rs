@@ -79,7 +79,7 @@ impl Pin {
 pub const FREE: Sym3<f32> = [1.0, 0.0, 0.0, 1.0, 0.0, 1.0];
 const HELD: Sym3<f32> = [0.0; 6];
 
-/// A node counts as touching within this part of the body's length unit.
+/// A node that begins a step deeper than this part of the body's length unit is put out without the speed of it.
 const TOUCHING: f32 = 1.0 / 4096.0;
 
 /// A node whose sliding would lose all but this part of its speed in one step sticks.

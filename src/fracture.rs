@@ -112,7 +112,6 @@ impl Fracture {
 }
 
 /// Whether a tetrahedron has failed.
-#[cfg(feature = "contact")]
 pub(crate) fn has_failed(broken: &[BrokenBlock], tet: usize) -> bool {
     broken
         .get(tet / BLOCK)

@@ -3,7 +3,7 @@
 
 use crate::element::Layout;
 #[cfg(feature = "fracture")]
-use crate::fracture::BrokenBlock;
+use crate::fracture::{BrokenBlock, has_failed};
 use crate::lane::{BLOCK, Native};
 use crate::mesh::MeshError;
 use crate::operator::{RotationBlock, fit_cold};
@@ -24,7 +24,7 @@ pub struct StateRef<'a> {
     pub v: &'a [[f32; 3]],
     /// Velocities of the last steps, latest first, one body's nodes after the other.
     pub history: &'a [[f32; 3]],
-    /// Rotations of the tetrahedra.
+    /// Rotations of the tetrahedra, as unit quaternions, block by block.
     pub rotations: &'a [RotationBlock],
     /// Plastic strain of the tetrahedra, or empty.
     #[cfg(feature = "plasticity")]
@@ -47,8 +47,7 @@ impl<'a> StateRef<'a> {
     #[cfg(feature = "fracture")]
     #[must_use]
     pub fn is_broken(&self, tet: usize) -> bool {
-        let block = self.broken.get(tet / BLOCK);
-        block.is_some_and(|block| block.0[tet % BLOCK] > 0.5)
+        has_failed(self.broken, tet)
     }
 
     /// Of a body that neither flows nor breaks.
@@ -84,7 +83,7 @@ pub struct StateMut<'a> {
     pub v: &'a mut [[f32; 3]],
     /// Velocities of the last steps, latest first, one body's nodes after the other.
     pub history: &'a mut [[f32; 3]],
-    /// Rotations of the tetrahedra.
+    /// Rotations of the tetrahedra, as unit quaternions, block by block.
     pub rotations: &'a mut [RotationBlock],
     /// Plastic strain of the tetrahedra, or empty.
     #[cfg(feature = "plasticity")]

@@ -33,7 +33,7 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
         numbers: &'a mut [f32],
     ) -> Self {
         let nodes = rest.nodes.len();
-        let (mut left, length) = (numbers, vectors * nodes);
+        let (mut left, length) = (numbers, vectors.saturating_mul(nodes));
         let (filter, blocks) = (take(&mut left, nodes), take(&mut left, nodes));
         let inertia = take::<1>(&mut left, nodes).as_flattened_mut();
         let fans = take::<1>(&mut left, rest.blocks.len()).as_flattened_mut();
@@ -60,7 +60,9 @@ impl<'a, L: Layout> WorkspaceMut<'a, L> {
 
 /// The first `count` groups of `N` numbers; none where there are not as many.
 fn take<'a, const N: usize>(numbers: &mut &'a mut [f32], count: usize) -> &'a mut [[f32; N]] {
-    let Some((taken, left)) = core::mem::take(numbers).split_at_mut_checked(N * count) else {
+    let Some((taken, left)) =
+        core::mem::take(numbers).split_at_mut_checked(N.saturating_mul(count))
+    else {
         return &mut [];
     };
     *numbers = left;
