@@ -265,7 +265,7 @@ impl Assembly {
     }
 
     /// Says that the mesh has the assembly's tetrahedra in another order: which of them is the mesh's k-th
-    /// ([`Fans::original`](crate::order::Ordered::original)). For [`Self::pieces`] of bodies that break.
+    /// ([`Ordered::original`](crate::order::Ordered::original)). For [`Self::pieces`] of bodies that break.
     #[cfg(feature = "contact")]
     pub fn reorder(&mut self, original: &[usize]) {
         let mut place = alloc::vec![u32::MAX; self.tets.len()];
