@@ -23,7 +23,7 @@
 //! of another matrix then, and gives the right answer in more iterations. A node whose tetrahedra have all
 //! failed flies on by itself: its diagonal of A is its mass.
 //!
-//! With fracture (4 a step) and plastic flow, a tetrahedron takes 770 instructions a step more on x86-64, and 2,680 on a
+//! With fracture (4 a step) and plastic flow, a tetrahedron takes some 740 instructions a step more on x86-64, and 2,630 on a
 //! Cortex-M4F, in every state: `examples/firmware/count MACHINE prove` with and without `FEATURES=inelastic`. It is
 //! 32 bytes of state a block of eight, and 192 for plastic flow.
 
