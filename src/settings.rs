@@ -257,8 +257,8 @@ impl<'a> Settings<'a> {
     /// elastic and potential, with the rotations at its begin): at every stiffness, start, preconditioner and number of
     /// iterations, to rounding, and on every shape.
     ///
-    /// It acts where θ = 1 and nothing moves by itself: pins held, colliders at rest.
-    /// Coupled steps don't have it.
+    /// It acts where θ = 1 and nothing moves by itself: pins held, colliders at rest. Bodies that also touch each other gain no more
+    /// than the law of their [contacts](crate::coupling) gives back.
     #[cfg(feature = "energy-guard")]
     #[must_use]
     pub const fn with_energy_guard(self) -> Self {

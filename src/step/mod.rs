@@ -318,24 +318,28 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
             [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
         );
     }
-    if C::SOME {
-        // As for colliders. It only takes energy: what pulls also separates.
-        (system.couplings).switch(work.v, work.r, [&mut [], &mut []], false);
-    }
-    let residual_after = filtered_norm(system.filter, work.r);
-    if settings.guards_energy() && touches && !C::SOME && units.theta == 1.0 && !scene.moves() {
+    if settings.guards_energy() && touches && units.theta == 1.0 && !scene.moves() {
         // What the last iterations have moved in, with the energy that bringing it back takes.
         let entered = system.enter(work.v, work.p, true);
         space.hold(system.filter, Mask::of(!entered));
         system.apply(work.p, work.q);
         advance(work.v, work.r, 1.0, work.p, work.q);
         copy(work.p, work.v);
+        if let Some(translations) = &space.translations {
+            translations.remove(work.p);
+        }
         system.apply(work.p, work.q);
         let along = ratio_or_zero(dot(work.p, work.r), dot(work.p, work.q), 0.0);
         let back = select(along > -1.0, along, -1.0);
         let acts = (constraint::held(system.normals) > 0) & (along < 0.0);
-        add_scaled(work.v, select(acts, back, 0.0), work.p);
+        let back = select(acts, back, 0.0);
+        advance(work.v, work.r, back, work.p, work.q);
     }
+    if C::SOME {
+        // As for colliders. It only takes energy: what pulls also separates.
+        (system.couplings).switch(work.v, work.r, [&mut [], &mut []], false);
+    }
+    let residual_after = filtered_norm(system.filter, work.r);
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.
     if let Some(translations) = space.translations {

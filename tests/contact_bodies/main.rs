@@ -7,6 +7,7 @@ mod support;
 mod damage;
 mod edges;
 mod free;
+mod guard;
 mod limits;
 mod oracle;
 mod pull;
