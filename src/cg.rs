@@ -32,13 +32,14 @@ pub(crate) trait System {
     fn touches(&self) -> bool;
     /// Whether couplings may change A and b during the solve.
     fn joins(&self) -> bool;
-    /// Takes couplings that pull at `v` out of A and b, and those back in that it took out and that would push. `r` and
-    /// A w follow. Returns whether there were any.
+    /// Takes couplings that pull at `v` out of A and b, and if `back`, those in again that it took out and that would push.
+    /// `r` and W follow, and `v` to the Galerkin solution over W. Returns whether there were any.
     fn switch(
         &mut self,
-        v: &[[f32; 3]],
+        v: &mut [[f32; 3]],
         r: &mut [[f32; 3]],
         space: &mut Space<'_, impl Translate>,
+        back: bool,
     ) -> bool;
     /// If `now`: widens P where a surface would pull, given the whole residual r. Returns whether it did.
     fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool;
@@ -85,7 +86,7 @@ pub(crate) fn solve(
     let decides = iterations >= DECIDING;
     let products = iterations.saturating_add(u32::from(touches));
     let middle = products / 2;
-    let mut next = if joins & decides { middle } else { u32::MAX };
+    let mut next = if decides { middle } else { u32::MAX };
     let (mut live, mut updates, mut previous) = (true, 0, 0.0);
     p.fill([0.0; 3]);
     for k in 0..products {
@@ -93,8 +94,8 @@ pub(crate) fn solve(
         if touches {
             released = system.release(r, decides & (k >= middle));
         }
-        if k == next {
-            released |= system.switch(v, r, space);
+        if joins & (k == next) {
+            released |= system.switch(v, r, space, true);
             next = k + (products - k).div_ceil(2);
         }
         if touches & (k == middle) {

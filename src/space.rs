@@ -130,44 +130,49 @@ const PARALLEL: f32 = 1e-12;
 pub(crate) const NOTHING: f32 = 1e-30;
 
 impl<T: Translate> Space<'_, T> {
+    /// How many vectors are stored.
+    fn count(&self) -> usize {
+        self.vectors.len().checked_div(self.nodes).unwrap_or(0)
+    }
+
     /// Makes the stored vectors A-orthonormal, in order. A vector that is zero, not finite, or
     /// parallel to the ones before is replaced by zero, at the same cost.
     pub fn orthonormalise(&mut self, system: &impl System) {
-        let count = self.vectors.len().checked_div(self.nodes).unwrap_or(0);
-        for k in 0..count {
-            let at = k * self.nodes;
-            let (Some((vectors, rest)), Some((products, rest_products))) = (
-                self.vectors.split_at_mut_checked(at),
-                self.products.split_at_mut_checked(at),
-            ) else {
+        for k in 0..self.count() {
+            let Some(Split { before, w, aw }) = split(self.vectors, self.products, self.nodes, k)
+            else {
                 return;
             };
-            let (Some(w), Some(aw)) = (
-                rest.get_mut(..self.nodes),
-                rest_products.get_mut(..self.nodes),
-            ) else {
-                return;
-            };
-            let before = dot(w, w);
+            let long = dot(w, w);
             // Twice is enough (Giraud, Langou and Rozloznik 2005).
             for _ in 0..2 {
                 if let Some(translations) = &self.translations {
                     translations.remove(w);
                 }
-                remove(vectors, products, self.nodes, w);
+                remove(before[0], before[1], self.nodes, w);
             }
-            let after = dot(w, w);
+            let left = dot(w, w);
             system.apply(w, aw);
-            let square = dot(w, aw);
-            let usable = (after > PARALLEL * before)
-                & (after > NOTHING)
-                & (square > NOTHING)
-                & square.is_finite();
-            let usable = Mask::of(usable);
-            let scale = 1.0 / sqrt(usable.pick(square, 1.0));
-            scale_or_clear(w, scale, usable);
-            scale_or_clear(aw, scale, usable);
+            normalise(w, aw, (left > PARALLEL * long) & (left > NOTHING));
         }
+    }
+
+    /// The same after couplings have changed A, by the products alone, which have changed with it; then Galerkin over W. (The
+    /// translations in W do not know of couplings.)
+    pub fn settle(&mut self, system: &impl System, v: &mut [[f32; 3]], r: &mut [[f32; 3]]) {
+        for k in 0..self.count() {
+            let Some(Split { before, w, aw }) = split(self.vectors, self.products, self.nodes, k)
+            else {
+                return;
+            };
+            for (u, au) in pairs(before[0], before[1], self.nodes) {
+                let c = -dot(au, w);
+                add_scaled(w, c, u);
+                add_scaled(aw, c, au);
+            }
+            normalise(w, aw, true);
+        }
+        self.project(system, v, r);
     }
 
     /// Galerkin over W: v += w (w·r), r −= Aw (w·r).
@@ -213,6 +218,39 @@ impl<T: Translate> Space<'_, T> {
         }
         remove(self.vectors, self.products, self.nodes, z);
     }
+}
+
+/// A stored vector with its product.
+struct Split<'a> {
+    /// The vectors before it, and their products.
+    before: [&'a [[f32; 3]]; 2],
+    w: &'a mut [[f32; 3]],
+    aw: &'a mut [[f32; 3]],
+}
+
+/// Vector k.
+fn split<'a>(
+    vectors: &'a mut [[f32; 3]],
+    products: &'a mut [[f32; 3]],
+    nodes: usize,
+    k: usize,
+) -> Option<Split<'a>> {
+    let (vectors, rest) = vectors.split_at_mut_checked(k * nodes)?;
+    let (products, rest_products) = products.split_at_mut_checked(k * nodes)?;
+    Some(Split {
+        before: [vectors, products],
+        w: rest.get_mut(..nodes)?,
+        aw: rest_products.get_mut(..nodes)?,
+    })
+}
+
+/// Makes w · A w = 1; zero where it is not `usable` or nothing.
+fn normalise(w: &mut [[f32; 3]], aw: &mut [[f32; 3]], usable: bool) {
+    let square = dot(w, aw);
+    let usable = Mask::of(usable & (square > NOTHING) & square.is_finite());
+    let scale = 1.0 / sqrt(usable.pick(square, 1.0));
+    scale_or_clear(w, scale, usable);
+    scale_or_clear(aw, scale, usable);
 }
 
 /// The stored vectors with their products.

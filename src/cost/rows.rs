@@ -7,7 +7,7 @@ use crate::settings::{Budget, Start};
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; then what the crate's features add, each beside the
 /// rows before; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 90] = [
+pub const ROWS: [(&str, [bool; SIZES]); 93] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -85,6 +85,9 @@ pub const ROWS: [(&str, [bool; SIZES]); 90] = [
     ("couplings: a slot", ONCE),
     ("couplings: a slot beside rigid bodies", ONCE),
     ("couplings: a slot, an application", ONCE),
+    ("couplings: a switch", NODES),
+    ("couplings: a switch of a vector", NODES),
+    ("couplings: a switch of a pair of vectors", NODES),
     ("couplings: a slot, a switch", ONCE),
     ("couplings: a slot, a switch of a vector", ONCE),
     ("couplings: a link", ONCE),
@@ -208,7 +211,7 @@ fn inelastic(load: &Load) -> [u64; 8] {
 }
 
 /// Bodies in one system.
-fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
+fn couplings(load: &Load, budget: Budget) -> [u64; 27] {
     let coupled = u64::from(load.coupled.parts() > 0);
     let (k, w) = (iterations(load, budget), load.start.vectors() as u64);
     let (k, w) = (coupled * k, coupled * w);
@@ -226,9 +229,10 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
     let factored = factored(load);
     let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
-    let switches = coupled * u64::from(cg::switches(budget.iterations, load.colliders > 0));
-    // Two more behind the solve, which leave W as it is.
-    let (all, with) = (coupled * (switches + 2), switches * w);
+    let during = coupled * u64::from(cg::switches(budget.iterations, load.colliders > 0));
+    // Twice behind the solve; the last time W stays as it is.
+    let (settles, all) = (during + coupled, during + 2 * coupled);
+    let with = settles * w;
     let projections = 2 + applications + k + w + sizes + all + with;
     let beside = u64::from(rigids > 0);
     [
@@ -243,6 +247,9 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
         slots - links.min(slots),
         (slots - links.min(slots)) * beside,
         slots.saturating_mul(applications),
+        free * settles,
+        with,
+        settles * (w * w.saturating_sub(1) / 2),
         slots.saturating_mul(all),
         slots.saturating_mul(with),
         links,
@@ -255,9 +262,10 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 24] {
         free * w,
         free * k,
         free * parts,
-        free.saturating_mul(parts).saturating_mul(2 * w + k),
+        free.saturating_mul(parts)
+            .saturating_mul(2 * w + k + settles),
     ]
 }
 
 // Names, kinds and rows are in one order.
-const _: () = assert!(MORE + 8 + 24 == ROWS.len());
+const _: () = assert!(MORE + 8 + 27 == ROWS.len());

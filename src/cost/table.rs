@@ -80,6 +80,9 @@ pub(super) const CORTEX_M4F: Table = [
     [134636, 0, 0, 0, 0, 0],                 // couplings: a slot
     [46074, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
     [4952, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                      // x
+    [0, 0, 0, 0, 0, 0],                      // x
+    [0, 0, 0, 0, 0, 0],                      // x
     [5973, 0, 0, 0, 0, 0],                   // couplings: a slot, a switch
     [5095, 0, 0, 0, 0, 0],                   // couplings: a slot, a switch of a vector
     [46176, 0, 0, 0, 0, 0],                  // couplings: a link
@@ -173,6 +176,9 @@ pub(super) const X86_64: Table = [
     [123212, 0, 0, 0, 0, 0],                 // couplings: a slot
     [54768, 0, 0, 0, 0, 0],                  // couplings: a slot beside rigid bodies
     [4836, 0, 0, 0, 0, 0],                   // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                      // x
+    [0, 0, 0, 0, 0, 0],                      // x
+    [0, 0, 0, 0, 0, 0],                      // x
     [6176, 0, 0, 0, 0, 0],                   // couplings: a slot, a switch
     [5219, 0, 0, 0, 0, 0],                   // couplings: a slot, a switch of a vector
     [38420, 0, 0, 0, 0, 0],                  // couplings: a link
@@ -266,6 +272,9 @@ pub(super) const AARCH64: Table = [
     [110197, 0, 0, 0, 0, 0],                // couplings: a slot
     [44936, 0, 0, 0, 0, 0],                 // couplings: a slot beside rigid bodies
     [4530, 0, 0, 0, 0, 0],                  // couplings: a slot, an application
+    [0, 0, 0, 0, 0, 0],                     // x
+    [0, 0, 0, 0, 0, 0],                     // x
+    [0, 0, 0, 0, 0, 0],                     // x
     [5445, 0, 0, 0, 0, 0],                  // couplings: a slot, a switch
     [4930, 0, 0, 0, 0, 0],                  // couplings: a slot, a switch of a vector
     [35057, 0, 0, 0, 0, 0],                 // couplings: a link

@@ -309,12 +309,12 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     system.release(work.r, true);
     space.project(&system, work.v, work.r);
     if C::SOME {
-        (system.couplings).switch(work.v, work.r, [&mut [], &mut []], true);
+        system.switch(work.v, work.r, &mut space, true);
     }
     if settings.start == Start::Zero || (C::SOME && settings.start.is_augmented()) {
         search_along(
             &system,
-            space.translations.as_ref(),
+            &space,
             [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
         );
     }

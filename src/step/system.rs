@@ -65,12 +65,15 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
     }
     fn switch(
         &mut self,
-        v: &[[f32; 3]],
+        v: &mut [[f32; 3]],
         r: &mut [[f32; 3]],
         space: &mut Space<'_, impl Translate>,
+        back: bool,
     ) -> bool {
         let stored = [&mut *space.vectors, &mut *space.products];
-        self.couplings.switch(v, r, stored, true)
+        let switched = self.couplings.switch(v, r, stored, back);
+        space.settle(self, v, r);
+        switched
     }
     fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool {
         constraint::release(now, r, self.filter, self.normals)
@@ -131,21 +134,22 @@ fn filtered_dot(filter: &[Sym3<f32>], u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
     sums[0] + sums[1] + sums[2]
 }
 
-/// Line search along the solution itself, but for the translations in W, so that (8) of the front page holds: from rest, too,
-/// where conjugate gradients in f32 have lost their directions' conjugacy (a start with W has v(t) to hold on to), and
-/// where couplings were switched during the solve. Those who have `translations` are not sped up by it: v ⟂ r or v · r > 0.
+/// Line search along the solution itself, but for what W has of it, so that (8) of the front page holds: from rest, too, where
+/// conjugate gradients in f32 have lost their directions' conjugacy (a start with W has v(t) to hold on to), and
+/// where couplings were switched during the solve. Beside W nothing is sped up or turned by it: v ⟂ r or v · r > 0.
 pub(super) fn search_along<L: Layout, R: Lanes, C: Couple>(
     system: &Filtered<'_, L, R, C>,
-    translations: Option<&impl Translate>,
+    space: &Space<'_, impl Translate>,
     [v, r, p, q]: [&mut [[f32; 3]]; 4],
 ) {
     multiply_blocks(p, system.filter, v);
-    if let Some(translations) = translations {
-        translations.remove(p);
+    if C::SOME {
+        space.orthogonalise(p);
     }
     system.apply(p, q);
     let (rp, pap) = (system.dot(p, r), system.dot(p, q));
     let along = ratio_or_zero(rp, pap, 0.0);
-    let faster = (along > 0.0) & translations.is_some();
-    vector::advance(v, r, select(faster, 0.0, along), p, q);
+    let some = select(along < 0.0, select(along > -1.0, along, -1.0), 0.0);
+    let beside = C::SOME & space.translations.is_some();
+    vector::advance(v, r, select(beside, some, along), p, q);
 }
