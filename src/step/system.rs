@@ -128,7 +128,7 @@ fn filtered_dot(filter: &[Sym3<f32>], u: &[[f32; 3]], r: &[[f32; 3]]) -> f32 {
     for ((p, u), r) in filter.iter().zip(u).zip(r) {
         let r = sym_mul(p, r);
         for axis in 0..3 {
-            sums[axis] += u[axis] * r[axis];
+            sums[axis] += r[axis] * u[axis];
         }
     }
     sums[0] + sums[1] + sums[2]
