@@ -30,12 +30,13 @@ use crate::algebra::{
 use crate::lane::{BLOCK, Lanes, Real};
 use crate::preconditioner::fold::Fold;
 use crate::rest::TetBlock;
+use crate::stages::Stages;
 
 /// Symmetric 3×3 matrix: xx, xy, xz, yy, yz, zz.
 pub type Sym3<R> = [R; 6];
 
 /// How a tetrahedron's rotated stiffness is stored and applied.
-pub trait Layout: Fold + Sized + 'static {
+pub trait Layout: Fold + Stages + Sized + 'static {
     /// What the layout keeps per block of eight at rest, besides [`TetBlock`].
     type Stiffness: Copy + core::fmt::Debug + 'static;
     /// What it writes per block each step.
@@ -151,12 +152,35 @@ pub enum Factored {}
 /// G₁, G₂, G₃ of eight tetrahedra, `[corner − 1][axis][lane]`, in units of 1/`length_unit`.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
-pub struct RotatedGradients([[[f32; BLOCK]; 3]; 3]);
+pub struct RotatedGradients(pub(crate) [[[f32; BLOCK]; 3]; 3]);
 
 impl RotatedGradients {
     #[inline(always)]
     pub(crate) fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
-        core::array::from_fn(|j| core::array::from_fn(|a| R::load(&self.0[j][a], at)))
+        core::array::from_fn(|j| self.of(j + 1, at))
+    }
+
+    /// G_j of corner j = 1, 2, 3.
+    #[inline(always)]
+    pub(crate) fn of<R: Lanes>(&self, corner: usize, at: usize) -> [R; 3] {
+        // Only to keep the panic of an index out of the binary.
+        let g = &self.0[(corner - 1) % 3];
+        core::array::from_fn(|a| R::load(&g[a], at))
+    }
+}
+
+impl Factored {
+    /// `scale` · V S from H.
+    #[inline(always)]
+    pub(crate) fn scaled_stress<R: Lanes>(
+        tet: &TetBlock,
+        at: usize,
+        scale: R,
+        h: &[[R; 3]; 3],
+    ) -> [[R; 3]; 3] {
+        let lambda = scale * R::load(&tet.lambda_v, at);
+        let mu = scale * R::load(&tet.mu_v, at);
+        stress(h, lambda, mu)
     }
 }
 
@@ -202,9 +226,7 @@ impl Layout for Factored {
     ) -> [[R; 3]; 3] {
         let g = rotated.load::<R>(at);
         let h = deformation(edges, &g); // H = Σ (u_j − u_0) G_jᵀ
-        let lambda = scale * R::load(&tet.lambda_v, at);
-        let mu = scale * R::load(&tet.mu_v, at);
-        let s = stress(&h, lambda, mu);
+        let s = Self::scaled_stress(tet, at, scale, &h);
         each3(g, |g| mul_vec(&s, &g)) // (K u)_i = S G_i
     }
 

@@ -18,9 +18,9 @@ use crate::lane::{BLOCK, Lanes};
 use crate::rest::{Rest, TetBlock};
 
 const APEX: usize = 0;
-const AXIS: usize = 1;
-const RING: usize = 2;
-const NEXT: usize = 3;
+pub(crate) const AXIS: usize = 1;
+pub(crate) const RING: usize = 2;
+pub(crate) const NEXT: usize = 3;
 
 /// Node numbers, `[corner][lane]`.
 pub(crate) type Nodes = [[u32; BLOCK]; 4];
@@ -160,11 +160,30 @@ impl<R: Lanes, const N: usize> Sums<R, N> {
         nodes: &Nodes,
         at: usize,
     ) {
-        let ring = plus(&self.next, ring);
-        R::scatter_add(&ring, out, &nodes[RING], at);
-        self.apex = minus(&self.apex, &ring);
-        self.axis = plus(&self.axis, axis);
-        self.next = *next;
+        self.add_corner(RING, ring, out, nodes, at);
+        self.add_corner(AXIS, axis, out, nodes, at);
+        self.add_corner(NEXT, next, out, nodes, at);
+    }
+
+    /// One of the values of [`Self::add_balanced`], which come in this order: at the ring's corner, the axis's, the next one's.
+    #[inline(always)]
+    pub fn add_corner(
+        &mut self,
+        corner: usize,
+        value: &[R; N],
+        out: &mut [[f32; N]],
+        nodes: &Nodes,
+        at: usize,
+    ) {
+        match corner {
+            RING => {
+                let ring = plus(&self.next, value);
+                R::scatter_add(&ring, out, &nodes[RING], at);
+                self.apex = minus(&self.apex, &ring);
+            }
+            AXIS => self.axis = plus(&self.axis, value),
+            _ => self.next = *value,
+        }
     }
 
     /// Values at all four corners of the next tetrahedra.

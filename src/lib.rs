@@ -158,6 +158,7 @@ pub mod rigid;
 pub mod scene;
 pub mod settings;
 mod space;
+mod stages;
 pub mod state;
 pub mod step;
 #[cfg(feature = "alloc")]

@@ -12,6 +12,7 @@ use crate::lane::{BLOCK, Lanes, Real};
 use crate::pair::Pair;
 use crate::polar::{self, Quaternion};
 use crate::rest::{Rest, TetBlock};
+use crate::stages::{Matrix, deformations};
 
 /// Rotations of eight tetrahedra as quaternions, `[component][lane]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,10 +76,20 @@ impl<L: Layout> Operator<'_, L> {
         };
         let scale = R::splat(self.stiffness);
         let mut rotated = self.rotated.iter();
+        let mut h = R::bites(|_| [zero3(); 3]);
         for fan in fans(&self.rest) {
             let mut edges = Edges::<R>::open(u, fan);
             let mut sums = Sums::<R>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
+                if R::STAGES {
+                    let (h, sums, nodes) = (h.as_mut(), sums.as_mut(), &tet.corners);
+                    L::products(tet, rotated, scale, u, h, |at, corner, f| {
+                        if let Some(sums) = sums.get_mut(at) {
+                            sums.add_corner(corner, f, out, nodes, at);
+                        }
+                    });
+                    continue;
+                }
                 let bites = edges.as_mut().iter_mut().zip(sums.as_mut());
                 for ((edges, sums), at) in bites.zip(lanes::<R>()) {
                     let Some(edges) = edges.advance(u, &tet.corners, at) else {
@@ -211,7 +222,8 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
     rotations: &mut [RotationBlock],
 ) {
     let mut rotations = rotations.iter_mut();
-    let mut fits = R::bites(|_| polar::Fit::still());
+    let mut fits = R::bites(|_| polar::Fit::<R>::still());
+    let mut f = R::bites(|_| [zero3::<R>(); 3]);
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         let none: &[[TetBlock; 2]] = &[];
@@ -220,7 +232,7 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
             rotations.next().zip(rotations.next())
         })) {
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let f = deformations(edges, x, one, at).zip(deformations(edges, x, two, at));
+                let f = deformed(edges, x, one, at).zip(deformed(edges, x, two, at));
                 let Some((f, g)) = f else {
                     continue;
                 };
@@ -235,11 +247,11 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
             if let Fit::Warm(sweeps) = fit
                 && R::STAGES
             {
-                fit_in_stages(fits.as_mut(), edges.as_mut(), x, tet, sweeps, rotation);
+                fit_in_stages(fits.as_mut(), f.as_mut(), x, tet, sweeps, rotation);
                 continue;
             }
             for (edges, at) in edges.as_mut().iter_mut().zip(lanes::<R>()) {
-                let Some(f) = deformations(edges, x, tet, at) else {
+                let Some(f) = deformed(edges, x, tet, at) else {
                     continue;
                 };
                 rotation.store(fitted(&rotation.load::<R>(at), &f, fit), at);
@@ -252,16 +264,18 @@ pub fn fit_rotations<R: Lanes, L: Layout>(
 #[inline(never)]
 fn fit_in_stages<R: Lanes>(
     fits: &mut [polar::Fit<R>],
-    edges: &mut [Edges<R>],
+    f: &mut [Matrix<R>],
     x: &[[f32; 3]],
     tet: &TetBlock,
     sweeps: u32,
     rotation: &mut RotationBlock,
 ) {
-    for ((fit, edges), at) in fits.iter_mut().zip(edges).zip(lanes::<R>()) {
-        if let Some(f) = deformations(edges, x, tet, at) {
-            *fit = polar::Fit::new(&rotation.load::<R>(at), &f);
-        }
+    deformations(x, &tet.corners, &tet.gradients, f);
+    for (fit, f) in fits.iter_mut().zip(&*f) {
+        fit.measure(f);
+    }
+    for ((fit, f), at) in fits.iter_mut().zip(&*f).zip(lanes::<R>()) {
+        fit.start(&rotation.load::<R>(at), f);
     }
     for _ in 0..sweeps {
         polar::sweep(fits);
@@ -274,7 +288,7 @@ fn fit_in_stages<R: Lanes>(
 
 /// F of the next tetrahedra.
 #[inline(always)]
-fn deformations<R: Lanes>(
+fn deformed<R: Lanes>(
     edges: &mut Edges<R>,
     x: &[[f32; 3]],
     tet: &TetBlock,

@@ -20,7 +20,7 @@
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
 //! storage and scaling are ours.
 
-use crate::algebra::{each3, mul_mat, scale3, transpose, zero3};
+use crate::algebra::{dot3, each3, mul_mat, scale3, transpose, zero3};
 use crate::lane::Real;
 
 /// A unit quaternion, scalar first: (w, x, y, z).
@@ -57,10 +57,10 @@ pub fn unrotated<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
     mul_mat(&transpose(&matrix(q)), f)
 }
 
-/// F brought to size one, so that squares neither overflow nor vanish: its polar rotation is the
+/// What brings F to size one, so that squares neither overflow nor vanish: its polar rotation is the
 /// same. A zero or overflowing F becomes zero, and keeps any rotation that it is given.
 #[inline(always)]
-fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
+fn normaliser<R: Real>(f: &[[R; 3]; 3]) -> R {
     // Sixteenths: the sum of nine magnitudes up to f32::MAX stays finite.
     let sixteenth = R::splat(0.0625);
     let size = f
@@ -68,7 +68,13 @@ fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
         .flatten()
         .fold(R::splat(0.0), |sum, x| sum + x.abs() * sixteenth);
     let none = size.below(R::splat(f32::MIN_POSITIVE * 16.0));
-    let scale = R::pick(none, R::splat(0.0), sixteenth / size);
+    R::pick(none, R::splat(0.0), sixteenth / size)
+}
+
+/// F times its [`normaliser`].
+#[inline(always)]
+fn normalised<R: Real>(f: &[[R; 3]; 3]) -> [[R; 3]; 3] {
+    let scale = normaliser(f);
     each3(*f, |row| scale3(&row, scale))
 }
 
@@ -91,11 +97,15 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
     usable(&q, &start)
 }
 
-/// A fit under way, for several side by side: Q, and B = QᵀF.
+/// A fit under way, for several side by side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fit<R> {
+    /// Q
     q: Quaternion<R>,
+    /// QᵀF
     b: [[R; 3]; 3],
+    /// What the next step multiplies by.
+    factor: R,
 }
 
 impl<R: Real> Fit<R> {
@@ -105,16 +115,27 @@ impl<R: Real> Fit<R> {
         Self {
             q: identity(),
             b: [zero3(); 3],
+            factor: R::splat(0.0),
         }
     }
 
-    /// From `q` towards the rotation of `f`.
+    /// Towards the rotation of `f`: first, its [`normaliser`].
     #[inline(always)]
-    pub fn new(q: &Quaternion<R>, f: &[[R; 3]; 3]) -> Self {
-        Self {
-            q: *q,
-            b: unrotated(q, &normalised(f)),
+    pub fn measure(&mut self, f: &[[R; 3]; 3]) {
+        self.factor = normaliser(f);
+    }
+
+    /// Then, from `q`.
+    #[inline(always)]
+    pub fn start(&mut self, q: &Quaternion<R>, f: &[[R; 3]; 3]) {
+        let m = matrix(q);
+        for j in 0..3 {
+            let column = each3(*f, |row| row[j] * self.factor);
+            for i in 0..3 {
+                self.b[i][j] = dot3(&[m[0][i], m[1][i], m[2][i]], &column);
+            }
         }
+        self.q = *q;
     }
 
     /// Q, or `start` where F is infinite.
@@ -124,19 +145,26 @@ impl<R: Real> Fit<R> {
     }
 }
 
-/// One sweep of each, plane by plane: while one waits for a root and a quotient, the next goes on. The steps are those of
-/// [`sweeps`].
+/// One sweep of each, in steps that end with a root and a quotient: while one waits for them, the next goes on. The numbers
+/// are those of [`sweeps`].
 #[inline(always)]
 pub(crate) fn sweep<R: Real>(fits: &mut [Fit<R>]) {
     let [first, second, third] = PLANES;
     for fit in fits.iter_mut() {
-        rotate_pair(&mut fit.q, &mut fit.b, first);
+        fit.factor = inverse_length(&fit.b, first);
     }
     for fit in fits.iter_mut() {
-        rotate_pair(&mut fit.q, &mut fit.b, second);
+        turn_pair(&mut fit.q, &mut fit.b, first, fit.factor);
+        fit.factor = inverse_length(&fit.b, second);
     }
     for fit in fits.iter_mut() {
-        rotate_pair(&mut fit.q, &mut fit.b, third);
+        turn_pair(&mut fit.q, &mut fit.b, second, fit.factor);
+        fit.factor = inverse_length(&fit.b, third);
+    }
+    for fit in fits.iter_mut() {
+        turn_pair(&mut fit.q, &mut fit.b, third, fit.factor);
+    }
+    for fit in fits.iter_mut() {
         fit.q = unit(&fit.q);
     }
 }
@@ -162,10 +190,33 @@ fn square<R: Real>(&[w, x, y, z]: &Quaternion<R>) -> R {
 
 /// The rotation of one pair.
 #[inline(always)]
-fn rotate_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], (p, s, axis, sign): Plane) {
+fn rotate_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], plane: Plane) {
+    let inverse = inverse_length(b, plane);
+    turn_pair(q, b, plane, inverse);
+}
+
+/// (a, d) of a pair.
+#[inline(always)]
+fn pair<R: Real>(b: &[[R; 3]; 3], (p, s, _, _): Plane) -> (R, R) {
     // Only to keep the panic of an index out of the binary.
     let (p, r) = (p % 3, s % 3);
-    let (c, s) = direction(b[p][p] + b[r][r], b[r][p] - b[p][r]);
+    (b[p][p] + b[r][r], b[r][p] - b[p][r])
+}
+
+/// 1/√(a² + d²) of a pair.
+#[inline(always)]
+fn inverse_length<R: Real>(b: &[[R; 3]; 3], plane: Plane) -> R {
+    let (a, d) = pair(b, plane);
+    R::splat(1.0) / (a * a + d * d).sqrt()
+}
+
+/// [`rotate_pair`], given the [`inverse_length`].
+#[inline(always)]
+fn turn_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], plane: Plane, inverse: R) {
+    let (a, d) = pair(b, plane);
+    let (c, s) = direction_by(a, d, inverse);
+    let (p, r, axis, sign) = plane;
+    let (p, r) = (p % 3, r % 3);
     // B ← RᵀB
     for j in 0..3 {
         let (bp, br) = (b[p][j], b[r][j]);
@@ -179,14 +230,17 @@ fn rotate_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], (p, s, axis,
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
 #[inline(always)]
 pub(crate) fn direction<R: Real>(a: R, d: R) -> (R, R) {
-    let (zero, one) = (R::splat(0.0), R::splat(1.0));
-    let square = a * a + d * d;
-    let none = square.below(R::splat(1e-30));
+    direction_by(a, d, R::splat(1.0) / (a * a + d * d).sqrt())
+}
+
+/// [`direction`], given 1/√(a² + d²).
+#[inline(always)]
+fn direction_by<R: Real>(a: R, d: R, inverse: R) -> (R, R) {
     // The infinity of a zero is not picked: nobody waits for the decision before the root.
-    let inverse = one / square.sqrt();
+    let none = (a * a + d * d).below(R::splat(1e-30));
     (
-        R::pick(none, one, a * inverse),
-        R::pick(none, zero, d * inverse),
+        R::pick(none, R::splat(1.0), a * inverse),
+        R::pick(none, R::splat(0.0), d * inverse),
     )
 }
 

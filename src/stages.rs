@@ -1,0 +1,95 @@
+//! Kernels of one lane in an engine, a block of tetrahedra at a time: see [`Lanes::STAGES`].
+//!
+//! An engine's compiler brings a straight run of code into an order of its own (seen in V8): all reads come first, then
+//! arithmetic level by level, and what exceeds fifteen registers goes to the stack and back. Processors take about two reads
+//! a cycle where they take four operations, so that those trips are what they wait for. But nothing is read before a store that it comes
+//! after. So a kernel here is several loops over the eight tetrahedra of a block; each step of one reads little, and writes
+//! what comes of it. Numbers and order of sums are the same as elsewhere.
+
+use crate::algebra::{dot3, mul_vec, zero3};
+use crate::element::{Dense, Factored, Layout, edges};
+use crate::fan::{AXIS, NEXT, Nodes, RING, lanes};
+use crate::lane::{BLOCK, Lanes};
+use crate::rest::TetBlock;
+
+/// A 3×3 matrix of lanes, by rows.
+pub(crate) type Matrix<R> = [[R; 3]; 3];
+
+/// How a layout takes a block in stages. Forces go to `put`, each as soon as it is there: lane, corner, force; in the order of
+/// [`CORNERS`].
+pub trait Stages: Sized {
+    /// [`Layout::product`] of a block with the node vectors `u`. `h` is scratch, a matrix a bite.
+    fn products<R: Lanes>(
+        tet: &TetBlock,
+        rotated: &<Self as Layout>::Rotated,
+        scale: R,
+        u: &[[f32; 3]],
+        _h: &mut [Matrix<R>],
+        mut put: impl FnMut(usize, usize, &[R; 3]),
+    ) where
+        Self: Layout,
+    {
+        for at in lanes::<R>() {
+            let [a, b, c, d] = &tet.corners;
+            let x = [a, b, c, d].map(|nodes| R::gather(u, nodes, at).unwrap_or(zero3()));
+            let f = Self::product(tet, rotated, at, scale, &edges(&x));
+            for corner in CORNERS {
+                put(at, corner, &f[corner - 1]);
+            }
+        }
+    }
+}
+
+/// A ring node is done with when its force is there: it comes first.
+const CORNERS: [usize; 3] = [RING, AXIS, NEXT];
+
+impl Stages for Dense {}
+
+impl Stages for Factored {
+    #[inline(always)]
+    fn products<R: Lanes>(
+        tet: &TetBlock,
+        rotated: &<Self as Layout>::Rotated,
+        scale: R,
+        u: &[[f32; 3]],
+        h: &mut [Matrix<R>],
+        mut put: impl FnMut(usize, usize, &[R; 3]),
+    ) {
+        deformations(u, &tet.corners, &rotated.0, h);
+        for (h, at) in h.iter().zip(lanes::<R>()) {
+            let s = Self::scaled_stress(tet, at, scale, h);
+            for corner in CORNERS {
+                put(at, corner, &mul_vec(&s, &rotated.of(corner, at)));
+            }
+        }
+    }
+}
+
+/// Σ_j (x_j − x_0) g_jᵀ of a block's tetrahedra: F with their gradients at rest, H with the rotated ones. Zero where there is no such
+/// node.
+#[inline(never)]
+pub(crate) fn deformations<R: Lanes>(
+    x: &[[f32; 3]],
+    nodes: &Nodes,
+    gradients: &[[[f32; BLOCK]; 3]; 3],
+    out: &mut [Matrix<R>],
+) {
+    for (out, at) in out.iter_mut().zip(lanes::<R>()) {
+        let g: Matrix<R> = core::array::from_fn(|column| {
+            core::array::from_fn(|j| R::load(&gradients[j][column], at))
+        });
+        for axis in 0..3 {
+            // One axis is read when the one before is done with.
+            let corner = |corner: usize| R::gather(x, &nodes[corner], at).map(|x| x[axis]);
+            let (Some(a), Some(b), Some(c), Some(d)) = (corner(0), corner(1), corner(2), corner(3))
+            else {
+                *out = [zero3(); 3];
+                break;
+            };
+            let edges = [b - a, c - a, d - a];
+            for (out, g) in out[axis].iter_mut().zip(&g) {
+                *out = dot3(&edges, g);
+            }
+        }
+    }
+}
