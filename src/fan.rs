@@ -132,7 +132,7 @@ impl<R: Lanes> Edges<R> {
 
 /// Sums values at the corners along some fans side by side, and adds each sum to its node once: `N` numbers a node.
 #[derive(Clone, Copy)]
-pub(crate) struct Sums<R, const N: usize = 3> {
+pub struct Sums<R, const N: usize = 3> {
     apex: [R; N],
     axis: [R; N],
     next: [R; N],

@@ -111,6 +111,12 @@ pub trait Lanes: Real {
     /// The vectors of nodes `nodes[at .. at + WIDTH]`, `[axis]`. Where there is no such node: none in one lane, zeros
     /// in one of several.
     fn gather(vectors: &[[f32; 3]], nodes: &[u32; BLOCK], at: usize) -> Option<[Self; 3]>;
+    /// Whether `vectors` has all of the nodes `nodes[at .. at + WIDTH]`.
+    #[inline(always)]
+    fn has<T>(vectors: &[T], nodes: &[u32; BLOCK], at: usize) -> bool {
+        let mut nodes = nodes.iter().skip(at).take(Self::WIDTH);
+        nodes.all(|&node| (node as usize) < vectors.len())
+    }
     /// Adds `values` to the numbers of nodes `nodes[at .. at + WIDTH]`, one lane after the other; three or six a node.
     fn scatter_add<const N: usize>(
         values: &[Self; N],

@@ -82,12 +82,8 @@ impl<L: Layout> Operator<'_, L> {
             let mut sums = Sums::<R>::open();
             for (tet, rotated) in fan.iter().zip(rotated.by_ref()) {
                 if R::STAGES {
-                    let (h, sums, nodes) = (h.as_mut(), sums.as_mut(), &tet.corners);
-                    L::products(tet, rotated, scale, u, h, |at, corner, f| {
-                        if let Some(sums) = sums.get_mut(at) {
-                            sums.add_corner(corner, f, out, nodes, at);
-                        }
-                    });
+                    let (h, sums) = (h.as_mut(), sums.as_mut());
+                    L::add_products((tet, rotated), scale, u, h, sums, out);
                     continue;
                 }
                 let bites = edges.as_mut().iter_mut().zip(sums.as_mut());

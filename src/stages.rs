@@ -8,61 +8,67 @@
 
 use crate::algebra::{dot3, mul_vec, zero3};
 use crate::element::{Dense, Factored, Layout, edges};
-use crate::fan::{AXIS, NEXT, Nodes, RING, lanes};
+use crate::fan::{AXIS, NEXT, Nodes, RING, Sums, lanes};
 use crate::lane::{BLOCK, Lanes};
 use crate::rest::TetBlock;
 
 /// A 3×3 matrix of lanes, by rows.
 pub(crate) type Matrix<R> = [[R; 3]; 3];
 
-/// How a layout takes a block in stages. Forces go to `put`, each as soon as it is there: lane, corner, force; in the order of
-/// [`CORNERS`].
+/// How a layout takes a block in stages.
 pub trait Stages: Sized {
-    /// [`Layout::product`] of a block with the node vectors `u`. `h` is scratch, a matrix a bite.
-    fn products<R: Lanes>(
-        tet: &TetBlock,
-        rotated: &<Self as Layout>::Rotated,
+    /// [`Layout::product`] of a block with the node vectors `u`, added to `sums` and `out`. `h` is scratch, a matrix a bite.
+    fn add_products<R: Lanes>(
+        (tet, rotated): (&TetBlock, &<Self as Layout>::Rotated),
         scale: R,
         u: &[[f32; 3]],
         _h: &mut [Matrix<R>],
-        mut put: impl FnMut(usize, usize, &[R; 3]),
+        sums: &mut [Sums<R>],
+        out: &mut [[f32; 3]],
     ) where
         Self: Layout,
     {
-        for at in lanes::<R>() {
+        for (sums, at) in sums.iter_mut().zip(lanes::<R>()) {
             let [a, b, c, d] = &tet.corners;
             let x = [a, b, c, d].map(|nodes| R::gather(u, nodes, at).unwrap_or(zero3()));
             let f = Self::product(tet, rotated, at, scale, &edges(&x));
-            for corner in CORNERS {
-                put(at, corner, &f[corner - 1]);
-            }
+            sums.add_balanced(&f, out, &tet.corners, at);
         }
     }
 }
-
-/// A ring node is done with when its force is there: it comes first.
-const CORNERS: [usize; 3] = [RING, AXIS, NEXT];
 
 impl Stages for Dense {}
 
 impl Stages for Factored {
     #[inline(always)]
-    fn products<R: Lanes>(
-        tet: &TetBlock,
-        rotated: &<Self as Layout>::Rotated,
+    fn add_products<R: Lanes>(
+        (tet, rotated): (&TetBlock, &<Self as Layout>::Rotated),
         scale: R,
         u: &[[f32; 3]],
         h: &mut [Matrix<R>],
-        mut put: impl FnMut(usize, usize, &[R; 3]),
+        sums: &mut [Sums<R>],
+        out: &mut [[f32; 3]],
     ) {
         deformations(u, &tet.corners, &rotated.0, h);
-        for (h, at) in h.iter().zip(lanes::<R>()) {
+        for ((h, sums), at) in h.iter().zip(sums).zip(lanes::<R>()) {
             let s = Self::scaled_stress(tet, at, scale, h);
-            for corner in CORNERS {
-                put(at, corner, &mul_vec(&s, &rotated.of(corner, at)));
+            // Gradients are not read before this either.
+            fence();
+            if !R::has(out, &tet.corners[RING], at) {
+                continue;
+            }
+            for corner in [RING, AXIS, NEXT] {
+                let f = mul_vec(&s, &rotated.of(corner, at));
+                sums.add_corner(corner, &f, out, &tet.corners, at);
             }
         }
     }
+}
+
+/// What stands before is read before, as far as the compiler goes: an engine keeps to the order that it finds.
+#[inline(always)]
+fn fence() {
+    core::hint::black_box(());
 }
 
 /// Σ_j (x_j − x_0) g_jᵀ of a block's tetrahedra: F with their gradients at rest, H with the rotated ones. Zero where there is no such
