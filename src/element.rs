@@ -157,7 +157,7 @@ pub struct RotatedGradients(pub(crate) [[[f32; BLOCK]; 3]; 3]);
 impl RotatedGradients {
     #[inline(always)]
     pub(crate) fn load<R: Lanes>(&self, at: usize) -> [[R; 3]; 3] {
-        core::array::from_fn(|j| self.of(j + 1, at))
+        core::array::from_fn(|j| core::array::from_fn(|a| R::load(&self.0[j][a], at)))
     }
 
     /// G_j of corner j = 1, 2, 3.
