@@ -51,8 +51,8 @@
 //! separate at all. The prediction says that neither does; the solve knows better. So with three or more iterations, in their
 //! middle, and again each time in the middle of what is left, contacts that pull at the iterate are let go, and those
 //! that were let go and would push are back: an active-set step (Hüeber and Wohlmuth 2005), some log₂ k of them in k iterations.
-//! A, b, b − A v and the products A w of the start's vectors follow exactly, at the cost of one pass over the slots. After
-//! the last iteration it is done once more; then v, but for the translations in W, is scaled by the line search that makes
+//! A, b, b − A v and the products A w of the start's vectors follow exactly, in one pass over the slots, and v is the Galerkin
+//! solution over W again. After the last iteration it is done once more; then v, but for what W has of it, is scaled by the line search that makes
 //! v ⟂ b − A v again, if that slows it down, so that the energy theorem holds for the contacts that the step ends with; and at last what
 //! pulls is let go for good, which takes nothing from the theorem, as it separates. Converged, a step is the solution in which no contact pulls
 //! (`tests/contact_bodies/oracle.rs`); truncated, impulses do not pull either, and what the solver has not settled is
