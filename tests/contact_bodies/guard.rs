@@ -4,7 +4,7 @@ use femto::Scene;
 use femto::collider::Collider;
 use femto::glam::Vec3;
 use femto::join::Assembly;
-use femto::settings::{Budget, Settings, Start};
+use femto::settings::{Budget, Settings};
 use nalgebra::{DVector, Matrix3};
 use proptest::prelude::*;
 
