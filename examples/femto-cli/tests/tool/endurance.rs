@@ -39,7 +39,8 @@ fn a_tower_settles() {
 
 #[test]
 fn a_ball_hits_pins() {
-    let outcome = short("bowling", 2, 0.2);
+    // (With two iterations the law of closed contacts gives back a little more than what they have taken by then.)
+    let outcome = short("bowling", 5, 0.2);
     assert!(outcome.lost > 0.01 && outcome.contact > 0.0, "{outcome:?}");
 }
 
