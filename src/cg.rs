@@ -32,14 +32,13 @@ pub(crate) trait System {
     fn touches(&self) -> bool;
     /// Whether couplings may change A and b during the solve.
     fn joins(&self) -> bool;
-    /// Takes couplings that pull at `v` out of A and b, and if `back`, those in again that it took out and that would push.
+    /// Takes couplings that pull at `v` out of A and b, and those in again that it took out and that would push.
     /// `r` and W follow, and `v` to the Galerkin solution over W. Returns whether there were any.
     fn switch(
         &mut self,
         v: &mut [[f32; 3]],
         r: &mut [[f32; 3]],
         space: &mut Space<'_, impl Translate>,
-        back: bool,
     ) -> bool;
     /// If `now`: widens P where a surface would pull, given the whole residual r. Returns whether it did.
     fn release(&mut self, r: &[[f32; 3]], now: bool) -> bool;
@@ -95,7 +94,7 @@ pub(crate) fn solve(
             released = system.release(r, decides & (k >= middle));
         }
         if joins & (k == next) {
-            released |= system.switch(v, r, space, true);
+            released |= system.switch(v, r, space);
             next = k + (products - k).div_ceil(2);
         }
         if touches & (k == middle) {

@@ -130,7 +130,7 @@ pub struct StepReport {
     /// What broke, and what may still.
     #[cfg(feature = "fracture")]
     pub fracture: FractureReport,
-    /// Contacts between pieces and rigid bodies that acted ([`coupling`](crate::coupling)).
+    /// Contacts between pieces and rigid bodies that acted, or that the solve let go of ([`coupling`](crate::coupling)).
     #[cfg(feature = "contact")]
     pub couplings: u32,
     /// Contacts that were left out for want of slots; the deepest were kept.

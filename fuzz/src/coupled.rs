@@ -255,6 +255,9 @@ fn step_all<L: Layout>(
     let fresh = joint.with_room(joint.slots.len());
     let report = advance::<f32, L>(rest, state, used, joint, scene, settings);
     check_step(&before.view(), &state.view(), &report, settings);
+    if report.advanced() {
+        joint.slots.iter().for_each(check_push);
+    }
     for again in [advance::<f32x4, L>, advance::<f32x8, L>] {
         let mut other = before.clone();
         let mut joint = fresh.with_room(fresh.slots.len());
@@ -272,6 +275,16 @@ fn step_all<L: Layout>(
         let report = advance::<f32, L>(rest, &mut other, used, &mut joint, scene, &search_only);
         (report, joint.found())
     });
+}
+
+/// Contacts never pull.
+fn check_push(slot: &Coupling) {
+    let [n, j] = [slot.normal(), slot.impulse()].map(|u| u.map(f64::from));
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    // Products in f32 are rounded.
+    let rounding = 4.0 * f64::from(f32::EPSILON) * dot(j, j).sqrt() + 1e-37;
+    let push = dot(n, j);
+    assert!(push >= -rounding || push.is_nan(), "{slot:?}");
 }
 
 /// Contacts are within their slots, and what found no place is counted: as many as more room shows.

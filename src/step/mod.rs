@@ -309,7 +309,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     system.release(work.r, true);
     space.project(&system, work.v, work.r);
     if C::SOME {
-        system.switch(work.v, work.r, &mut space, true);
+        system.switch(work.v, work.r, &mut space);
     }
     if settings.start == Start::Zero || (C::SOME && settings.start.is_augmented()) {
         search_along(

@@ -68,10 +68,9 @@ impl<L: Layout, R: Lanes, C: Couple> System for Filtered<'_, L, R, C> {
         v: &mut [[f32; 3]],
         r: &mut [[f32; 3]],
         space: &mut Space<'_, impl Translate>,
-        back: bool,
     ) -> bool {
         let stored = [&mut *space.vectors, &mut *space.products];
-        let switched = self.couplings.switch(v, r, stored, back);
+        let switched = self.couplings.switch(v, r, stored, true);
         space.settle(self, v, r);
         switched
     }
