@@ -98,7 +98,9 @@
 //! ([`Settings::with_regions`](crate::settings::Settings)): forces of plastic strain are part of b, what has failed is no part
 //! of A, and both are updated behind the step as ever, so that momentum and the energy bounds stay
 //! (`tests/contact_bodies/damage.rs`). A boundary triangle whose tetrahedron has failed is gone, if the piece says which that
-//! is ([`Piece::tets`]); a crack's own faces are not found, but for their nodes that were on the surface.
+//! is ([`Piece::tets`]); a crack's own faces are not found, but for their nodes that were on the surface. So a crack can leave
+//! pieces deep in each other, with an energy that nobody paid: the bound of a step stays, but over many steps some bodies
+//! that break gain more than they had.
 //!
 //! # Limits
 //!
