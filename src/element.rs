@@ -49,12 +49,13 @@ pub trait Layout: Fold + Stages + Sized + 'static {
     /// Rest stiffness of the isotropic material that the block holds.
     fn isotropic(tet: &TetBlock) -> Self::Stiffness;
 
-    /// Writes the rotated blocks of lanes `at..` and returns the elastic forces on corners 1, 2, 3, in
-    /// newtons; corner 0 balances them. `unit` (metres, a power of two) makes the blocks dimensionless in length.
+    /// Writes the rotated blocks of lanes `at..` and returns the elastic forces on corners 1, 2, 3, times −`scale` and
+    /// the square of `unit`, which makes the blocks dimensionless in length. Corner 0 balances them.
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
-        unit: R,
+        unit: Unit<R>,
+        scale: R,
         rotated: &mut Self::Rotated,
     ) -> [[R; 3]; 3];
 
@@ -78,6 +79,15 @@ pub trait Layout: Fold + Stages + Sized + 'static {
 
     /// Elastic energy of lane `at` in joules, given Q.
     fn energy(bite: &Bite<'_, Self, f64>, q: &[[f64; 3]; 3]) -> f64;
+}
+
+/// The body's unit of length in metres, a power of two.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit<R> {
+    /// The unit.
+    pub length: R,
+    /// The same where a tetrahedron is whole, else 0.
+    pub share: R,
 }
 
 /// Some tetrahedra of a block in some state.
@@ -170,6 +180,25 @@ impl RotatedGradients {
 }
 
 impl Factored {
+    /// Writes G_j = Q g_j, and returns it.
+    #[inline(always)]
+    pub(crate) fn rotate_gradients<R: Lanes>(
+        tet: &TetBlock,
+        q: &[[R; 3]; 3],
+        unit: Unit<R>,
+        at: usize,
+        rotated: &mut RotatedGradients,
+    ) -> [[R; 3]; 3] {
+        let mut all = gradients::<R>(tet, at);
+        for (g, out) in all.iter_mut().zip(&mut rotated.0) {
+            *g = scale3(&mul_vec(q, g), unit.share);
+            for (g, out) in g.iter().zip(out) {
+                g.store(out, at);
+            }
+        }
+        all
+    }
+
     /// `scale` · V S from H.
     #[inline(always)]
     pub(crate) fn scaled_stress<R: Lanes>(
@@ -196,24 +225,18 @@ impl Layout for Factored {
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
-        unit: R,
+        unit: Unit<R>,
+        scale: R,
         rotated: &mut Self::Rotated,
     ) -> [[R; 3]; 3] {
-        let g = each3(gradients::<R>(bite.tet, bite.at), |g| mul_vec(q, &g)); // G = Q g
-        for (g, out) in g.iter().zip(&mut rotated.0) {
-            for (g, out) in scale3(g, unit).iter().zip(out) {
-                g.store(out, bite.at);
-            }
-        }
+        let g = Self::rotate_gradients(bite.tet, q, unit, bite.at, rotated);
         // In world axes: FQᵀ = Σ_j (x_j − x_0) G_jᵀ, and f = −V (QσQᵀ) G.
         let mut h = deformation(&bite.edges, &g);
         for axis in 0..3 {
-            h[axis][axis] = h[axis][axis] - R::splat(1.0);
+            h[axis][axis] = h[axis][axis] - unit.length;
         }
-        let lambda = R::load(&bite.tet.lambda_v, bite.at);
-        let mu = R::load(&bite.tet.mu_v, bite.at);
-        let s = stress(&h, lambda, mu);
-        each3(g, |g| neg3(&mul_vec(&s, &g)))
+        let s = Self::scaled_stress(bite.tet, bite.at, scale, &h);
+        each3(g, |g| mul_vec(&s, &g))
     }
 
     #[inline(always)]
@@ -332,10 +355,11 @@ impl Layout for Dense {
     fn rotate<R: Lanes>(
         bite: &Bite<'_, Self, R>,
         q: &[[R; 3]; 3],
-        unit: R,
+        unit: Unit<R>,
+        scale: R,
         rotated: &mut Self::Rotated,
     ) -> [[R; 3]; 3] {
-        let square = unit * unit;
+        let square = unit.share * unit.share;
         for pair in 0..PAIRS.len() {
             // K_ij = Q K⁰_ij Qᵀ
             let half = mul_mat(q, &bite.stiffness.load::<R>(pair, bite.at));
@@ -349,7 +373,7 @@ impl Layout for Dense {
         // f = −Q K⁰ d with the unrotated displacement d = Qᵀx − X, relative to corner 0
         let d = displacement(bite, q);
         let [_, a, b, c] = pairwise(&d, |pair| bite.stiffness.load(pair, bite.at));
-        each3([a, b, c], |f| neg3(&mul_vec(q, &f)))
+        each3([a, b, c], |f| scale3(&mul_vec(q, &f), scale * square))
     }
 
     #[inline(always)]

@@ -64,7 +64,7 @@ fn length(blocks: &[TetBlock]) -> usize {
 }
 
 /// `==` would call a routine that compares byte by byte on a Cortex-M.
-#[inline(always)]
+#[inline(never)]
 fn same(a: &[u32; BLOCK], b: &[u32; BLOCK]) -> bool {
     let both = a.iter().zip(b);
     both.fold(0, |different, (a, b)| different | (a ^ b)) == 0
@@ -177,9 +177,13 @@ impl<R: Lanes, const N: usize> Sums<R, N> {
     ) {
         match corner {
             RING => {
-                let ring = plus(&self.next, value);
-                R::scatter_add(&ring, out, &nodes[RING], at);
-                self.apex = minus(&self.apex, &ring);
+                let Self { apex, next, .. } = self;
+                let ring = |k: usize| {
+                    let ring = next[k] + value[k];
+                    apex[k] = apex[k] - ring;
+                    ring
+                };
+                R::scatter_add_each(ring, out, &nodes[RING], at);
             }
             AXIS => self.axis = plus(&self.axis, value),
             _ => self.next = *value,

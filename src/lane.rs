@@ -11,6 +11,7 @@ use wide::{f32x4, f32x8};
 
 use crate::algebra::each3;
 use crate::math::{self, Mask};
+use crate::stages::fence;
 
 /// Tetrahedra in one storage block.
 pub const BLOCK: usize = 8;
@@ -116,6 +117,17 @@ pub trait Lanes: Real {
     fn has<T>(vectors: &[T], nodes: &[u32; BLOCK], at: usize) -> bool {
         let mut nodes = nodes.iter().skip(at).take(Self::WIDTH);
         nodes.all(|&node| (node as usize) < vectors.len())
+    }
+    /// [`Self::scatter_add`] of what `value` makes for each number. One lane makes them one by one: in an engine, see
+    /// [`stages`](crate::stages), what one needs is read after what comes of the one before is written.
+    #[inline(always)]
+    fn scatter_add_each<const N: usize>(
+        value: impl FnMut(usize) -> Self,
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        at: usize,
+    ) {
+        Self::scatter_add(&core::array::from_fn(value), sums, nodes, at);
     }
     /// Adds `values` to the numbers of nodes `nodes[at .. at + WIDTH]`, one lane after the other; three or six a node.
     fn scatter_add<const N: usize>(
@@ -236,9 +248,21 @@ impl Lanes for f32 {
         nodes: &[u32; BLOCK],
         at: usize,
     ) {
+        Self::scatter_add_each(|k| values[k % N], sums, nodes, at);
+    }
+    #[inline(always)]
+    fn scatter_add_each<const N: usize>(
+        mut value: impl FnMut(usize) -> Self,
+        sums: &mut [[f32; N]],
+        nodes: &[u32; BLOCK],
+        at: usize,
+    ) {
         if let Some(sums) = sums.get_mut(nodes[at % BLOCK] as usize) {
-            for (sum, value) in sums.iter_mut().zip(values) {
-                *sum += value;
+            for (k, sum) in sums.iter_mut().enumerate() {
+                *sum += value(k);
+                if Self::STAGES {
+                    fence();
+                }
             }
         }
     }

@@ -64,11 +64,15 @@ pub struct Mask(u32);
 
 impl Mask {
     /// The optimiser may not look behind it: it would turn choices into branches (seen with LLVM on
-    /// x86-64), whose cost depends on the data.
+    /// x86-64), whose cost depends on the data. On WASM it may: there hiding takes a trip through memory, and LLVM keeps to the one
+    /// instruction that there is for a choice (CI counts).
     #[inline]
     #[must_use]
     pub fn of(condition: bool) -> Self {
-        Self(u32::from(condition).wrapping_neg()).firm()
+        cfg_select! {
+            target_arch = "wasm32" => { Self::plain(condition) }
+            _ => { Self(u32::from(condition).wrapping_neg()).firm() }
+        }
     }
 
     /// One that the optimiser may look behind: on WASM, which has one instruction for a choice, and where hiding takes a

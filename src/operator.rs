@@ -4,15 +4,15 @@
 //! (A = M + θ²h²K + θhD with D = αM + βK, so c_M = 1 + θhα and c_K = θ²h² + θhβ), and a diagonal Γ
 //! from sliding friction.
 
-use crate::algebra::{each3, each4, scale3, zero3};
-use crate::element::{Bite, Layout, Sym3, deformation, gradients};
+use crate::algebra::{each4, zero3};
+use crate::element::{Bite, Layout, Sym3, Unit, deformation, gradients};
 use crate::fan::{Edges, Sums, fans, lanes, last};
 use crate::inelastic::Share;
 use crate::lane::{BLOCK, Lanes, Real};
 use crate::pair::Pair;
 use crate::polar::{self, Quaternion};
 use crate::rest::{Rest, TetBlock};
-use crate::stages::{Matrix, deformations};
+use crate::stages::{Block, Matrix, deformations};
 
 /// Rotations of eight tetrahedra as quaternions, `[component][lane]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,15 +164,34 @@ pub(crate) fn rotate_shares<R: Lanes, L: Layout, S: Share>(
     rotated: &mut [L::Rotated],
     out: &mut [[f32; 3]],
 ) {
-    let (scale, unit) = (R::splat(scale), R::splat(rest.header.length_unit));
+    let length = rest.header.length_unit;
+    let (scale, length) = (R::splat(-scale / (length * length)), R::splat(length));
+    let unit = |share: S, at| Unit {
+        length,
+        share: share.of(length, at),
+    };
     let blocks = rest.stiffness.iter().zip(rotations).zip(rotated);
     let mut blocks = blocks.zip(shares);
+    let mut h = R::bites(|_| [zero3(); 3]);
     for fan in fans(rest) {
         let mut edges = Edges::<R>::open(x, fan);
         // Dead code where the layout does not ask for them.
         let mut rest_edges = Edges::<R>::open(rest.nodes, fan);
         let mut sums = Sums::<R>::open();
         for (tet, (((stiffness, rotation), rotated), share)) in fan.iter().zip(blocks.by_ref()) {
+            if R::STAGES {
+                let block = Block {
+                    tet,
+                    stiffness,
+                    rest: rest.nodes,
+                    x,
+                    rotation,
+                };
+                let unit = |at| unit(share, at);
+                let (h, sums) = (h.as_mut(), sums.as_mut());
+                L::add_forces(&block, unit, scale, rotated, h, sums, out);
+                continue;
+            }
             let edges = edges.as_mut().iter_mut().zip(rest_edges.as_mut());
             let bites = edges.zip(sums.as_mut());
             for (((edges, rest_edges), sums), at) in bites.zip(lanes::<R>()) {
@@ -188,9 +207,7 @@ pub(crate) fn rotate_shares<R: Lanes, L: Layout, S: Share>(
                     rest_edges: rest_edges.unwrap_or([zero3(); 3]),
                 };
                 let q = polar::matrix(&rotation.load::<R>(at));
-                let f = L::rotate(&bite, &q, share.of(unit, at), rotated);
-                let scale = share.of(scale, at);
-                let f = each3(f, |f| scale3(&f, scale));
+                let f = L::rotate(&bite, &q, unit(share, at), scale, rotated);
                 sums.add_balanced(&f, out, &tet.corners, at);
             }
         }
@@ -273,8 +290,8 @@ fn fit_in_stages<R: Lanes>(
     for ((fit, f), at) in fits.iter_mut().zip(&*f).zip(lanes::<R>()) {
         fit.start(&rotation.load::<R>(at), f);
     }
-    for _ in 0..sweeps {
-        polar::sweep(fits);
+    for sweep in 1..=sweeps {
+        polar::sweep(fits, sweep == sweeps);
     }
     for (fit, at) in fits.iter().zip(lanes::<R>()) {
         let q = fit.end(&rotation.load::<R>(at));

@@ -14,7 +14,7 @@
 //! identity is taken. A sweep from a good start squares its error while the stretches s₁ ≥ s₂ ≥ s₃
 //! (s₃ < 0 when inverted) keep s₂ + s₃ large; where that nearly vanishes, sweeps gain little.
 //!
-//! Q is kept as a unit quaternion and renormalised once a sweep, so it cannot drift. A warm start
+//! Q is kept as a unit quaternion and renormalised once a fit, so it cannot drift. A warm start
 //! comes from the last step; [`nearest_rotation`] starts cold.
 //!
 //! Source: the pairwise rotations are those of Dahl and Bargteil (MIG 2019, section 3); quaternion
@@ -92,9 +92,9 @@ pub fn sweeps<R: Real>(q: &Quaternion<R>, f: &[[R; 3]; 3], sweeps: u32) -> Quate
         rotate_pair(&mut q, &mut b, first);
         rotate_pair(&mut q, &mut b, second);
         rotate_pair(&mut q, &mut b, third);
-        q = unit(&q);
+        q = shortened(&q);
     }
-    usable(&q, &start)
+    usable(&unit(&q), &start)
 }
 
 /// A fit under way, for several side by side.
@@ -141,14 +141,14 @@ impl<R: Real> Fit<R> {
     /// Q, or `start` where F is infinite.
     #[inline(always)]
     pub fn end(&self, start: &Quaternion<R>) -> Quaternion<R> {
-        usable(&self.q, start)
+        usable(&unit(&self.q), start)
     }
 }
 
 /// One sweep of each, in steps that end with a root and a quotient: while one waits for them, the next goes on. The numbers
-/// are those of [`sweeps`].
+/// are those of [`sweeps`], but for B, which nobody needs after the `last`.
 #[inline(always)]
-pub(crate) fn sweep<R: Real>(fits: &mut [Fit<R>]) {
+pub(crate) fn sweep<R: Real>(fits: &mut [Fit<R>], last: bool) {
     let [first, second, third] = PLANES;
     for fit in fits.iter_mut() {
         fit.factor = inverse_length(&fit.b, first);
@@ -162,10 +162,11 @@ pub(crate) fn sweep<R: Real>(fits: &mut [Fit<R>]) {
         fit.factor = inverse_length(&fit.b, third);
     }
     for fit in fits.iter_mut() {
-        turn_pair(&mut fit.q, &mut fit.b, third, fit.factor);
-    }
-    for fit in fits.iter_mut() {
-        fit.q = unit(&fit.q);
+        let (c, s) = cosine_and_sine(&fit.b, third, fit.factor);
+        if !last {
+            turn_matrix(&mut fit.b, third, c, s);
+        }
+        fit.q = shortened(&turned_pair(&fit.q, third, c, s));
     }
 }
 
@@ -213,18 +214,34 @@ fn inverse_length<R: Real>(b: &[[R; 3]; 3], plane: Plane) -> R {
 /// [`rotate_pair`], given the [`inverse_length`].
 #[inline(always)]
 fn turn_pair<R: Real>(q: &mut Quaternion<R>, b: &mut [[R; 3]; 3], plane: Plane, inverse: R) {
+    let (c, s) = cosine_and_sine(b, plane, inverse);
+    turn_matrix(b, plane, c, s);
+    *q = turned_pair(q, plane, c, s);
+}
+
+/// (c, s) of a pair, given the [`inverse_length`].
+#[inline(always)]
+fn cosine_and_sine<R: Real>(b: &[[R; 3]; 3], plane: Plane, inverse: R) -> (R, R) {
     let (a, d) = pair(b, plane);
-    let (c, s) = direction_by(a, d, inverse);
-    let (p, r, axis, sign) = plane;
+    direction_by(a, d, inverse)
+}
+
+/// B ← RᵀB
+#[inline(always)]
+fn turn_matrix<R: Real>(b: &mut [[R; 3]; 3], (p, r, _, _): Plane, c: R, s: R) {
     let (p, r) = (p % 3, r % 3);
-    // B ← RᵀB
     for j in 0..3 {
         let (bp, br) = (b[p][j], b[r][j]);
         b[p][j] = c * bp + s * br;
         b[r][j] = c * br - s * bp;
     }
+}
+
+/// Q R, longer than Q.
+#[inline(always)]
+fn turned_pair<R: Real>(q: &Quaternion<R>, (_, _, axis, sign): Plane, c: R, s: R) -> Quaternion<R> {
     let (half_c, half_s) = half_angle(c, s);
-    *q = turned(q, half_c, R::splat(sign) * half_s, axis);
+    turned(q, half_c, R::splat(sign) * half_s, axis)
 }
 
 /// (a, d)/√(a² + d²), or (1, 0) where both vanish. The input is of order one or smaller.
@@ -262,6 +279,13 @@ fn turned<R: Real>(q: &Quaternion<R>, w: R, s: R, axis: usize) -> Quaternion<R> 
     out[j] = q[j] * w + q[k] * s;
     out[k] = q[k] * w - q[j] * s;
     out
+}
+
+/// q after the three turns of a sweep, each of which lengthens it by √2 to 2, and by 2 in the end, when there is nothing left to
+/// turn: an eighth, exactly. So the length stays between 0 and 1 without a root.
+#[inline(always)]
+fn shortened<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
+    q.map(|c| c * R::splat(0.125))
 }
 
 #[inline(always)]

@@ -4,12 +4,13 @@
 use crate::body::StateMut;
 use crate::cg::System;
 use crate::element::{Layout, Sym3};
+use crate::lane::{Lanes, Native};
 use crate::math::{Mask, ratio_or_zero, select, sqrt};
 use crate::rest::{Points, Rest};
 use crate::scene::Scene;
 use crate::settings::Start;
 use crate::step::{Units, add_free};
-use crate::vector::{add_scaled, advance, dot, momentum, project, scale_or_clear};
+use crate::vector::{add_scaled, add_scaled_dot, advance, dot, momentum, project, scale_or_clear};
 
 /// Translations in W, of what nothing holds.
 pub(crate) trait Translate {
@@ -202,13 +203,13 @@ impl<T: Translate> Space<'_, T> {
         advance(v, r, tau, g, ag);
     }
 
-    /// P has changed unless it `stays`: empties what was stored, and takes out the translations that P no longer leaves.
+    /// P has changed unless it `stays`: empties what was stored, and takes out the translations that P no longer leaves. (Products
+    /// of nothing come with a factor of nothing.)
     pub fn hold(&mut self, filter: &[Sym3<f32>], stays: Mask) {
         if let Some(translations) = &mut self.translations {
             translations.hold(filter, stays);
         }
         scale_or_clear(self.vectors, 1.0, stays);
-        scale_or_clear(self.products, 1.0, stays);
     }
 
     /// Makes `z` A-orthogonal to W.
@@ -268,10 +269,23 @@ fn pairs<'a>(
 /// z −= w_j (Aw_j·z)
 #[inline(never)]
 fn remove(vectors: &[[f32; 3]], products: &[[f32; 3]], nodes: usize, z: &mut [[f32; 3]]) {
-    for (w, aw) in pairs(vectors, products, nodes) {
-        let c = dot(aw, z);
-        add_scaled(z, -c, w);
+    let mut pairs = pairs(vectors, products, nodes);
+    if !Native::STAGES {
+        for (w, aw) in pairs {
+            let c = dot(aw, z);
+            add_scaled(z, -c, w);
+        }
+        return;
     }
+    let Some((mut w, aw)) = pairs.next() else {
+        return;
+    };
+    let mut c = dot(aw, z);
+    for (next, aw) in pairs {
+        c = add_scaled_dot(z, -c, w, aw);
+        w = next;
+    }
+    add_scaled(z, -c, w);
 }
 
 /// Writes the stored vectors of W: the velocities v(t), v(t−h), …, then the rotations about the centre

@@ -7,16 +7,57 @@
 //! what comes of it. Numbers and order of sums are the same as elsewhere.
 
 use crate::algebra::{dot3, mul_vec, zero3};
-use crate::element::{Dense, Factored, Layout, edges};
+use crate::element::{Bite, Dense, Factored, Layout, RotatedGradients, Unit, edges};
 use crate::fan::{AXIS, NEXT, Nodes, RING, Sums, lanes};
 use crate::lane::{BLOCK, Lanes};
+use crate::operator::RotationBlock;
+use crate::polar;
 use crate::rest::TetBlock;
 
 /// A 3×3 matrix of lanes, by rows.
 pub(crate) type Matrix<R> = [[R; 3]; 3];
 
+/// Eight tetrahedra in some state.
+#[derive(Debug)]
+pub struct Block<'a, L: Layout> {
+    pub tet: &'a TetBlock,
+    pub stiffness: &'a L::Stiffness,
+    /// X of all nodes.
+    pub rest: &'a [[f32; 3]],
+    /// x of all nodes.
+    pub x: &'a [[f32; 3]],
+    pub rotation: &'a RotationBlock,
+}
+
 /// How a layout takes a block in stages.
 pub trait Stages: Sized {
+    /// [`Layout::rotate`] of a block, its forces added to `sums` and `out`. `h` is scratch, a matrix a bite.
+    fn add_forces<R: Lanes>(
+        block: &Block<'_, Self>,
+        unit: impl Fn(usize) -> Unit<R>,
+        scale: R,
+        rotated: &mut <Self as Layout>::Rotated,
+        _h: &mut [Matrix<R>],
+        sums: &mut [Sums<R>],
+        out: &mut [[f32; 3]],
+    ) where
+        Self: Layout,
+    {
+        for (sums, at) in sums.iter_mut().zip(lanes::<R>()) {
+            let edges = |x: &[[f32; 3]]| edges(&corners(x, &block.tet.corners, at));
+            let bite = Bite {
+                tet: block.tet,
+                stiffness: block.stiffness,
+                at,
+                edges: edges(block.x),
+                rest_edges: edges(block.rest),
+            };
+            let q = polar::matrix(&block.rotation.load::<R>(at));
+            let f = Self::rotate(&bite, &q, unit(at), scale, rotated);
+            sums.add_balanced(&f, out, &block.tet.corners, at);
+        }
+    }
+
     /// [`Layout::product`] of a block with the node vectors `u`, added to `sums` and `out`. `h` is scratch, a matrix a bite.
     fn add_products<R: Lanes>(
         (tet, rotated): (&TetBlock, &<Self as Layout>::Rotated),
@@ -29,9 +70,8 @@ pub trait Stages: Sized {
         Self: Layout,
     {
         for (sums, at) in sums.iter_mut().zip(lanes::<R>()) {
-            let [a, b, c, d] = &tet.corners;
-            let x = [a, b, c, d].map(|nodes| R::gather(u, nodes, at).unwrap_or(zero3()));
-            let f = Self::product(tet, rotated, at, scale, &edges(&x));
+            let edges = edges(&corners(u, &tet.corners, at));
+            let f = Self::product(tet, rotated, at, scale, &edges);
             sums.add_balanced(&f, out, &tet.corners, at);
         }
     }
@@ -40,6 +80,29 @@ pub trait Stages: Sized {
 impl Stages for Dense {}
 
 impl Stages for Factored {
+    #[inline(always)]
+    fn add_forces<R: Lanes>(
+        block: &Block<'_, Self>,
+        unit: impl Fn(usize) -> Unit<R>,
+        scale: R,
+        rotated: &mut RotatedGradients,
+        h: &mut [Matrix<R>],
+        sums: &mut [Sums<R>],
+        out: &mut [[f32; 3]],
+    ) {
+        for at in lanes::<R>() {
+            let q = polar::matrix(&block.rotation.load::<R>(at));
+            Self::rotate_gradients(block.tet, &q, unit(at), at, rotated);
+        }
+        deformations(block.x, &block.tet.corners, &rotated.0, h);
+        for (h, at) in h.iter_mut().zip(lanes::<R>()) {
+            for axis in 0..3 {
+                h[axis][axis] = h[axis][axis] - unit(at).length;
+            }
+        }
+        add_stresses((block.tet, rotated), scale, h, sums, out);
+    }
+
     #[inline(always)]
     fn add_products<R: Lanes>(
         (tet, rotated): (&TetBlock, &<Self as Layout>::Rotated),
@@ -50,24 +113,42 @@ impl Stages for Factored {
         out: &mut [[f32; 3]],
     ) {
         deformations(u, &tet.corners, &rotated.0, h);
-        for ((h, sums), at) in h.iter().zip(sums).zip(lanes::<R>()) {
-            let s = Self::scaled_stress(tet, at, scale, h);
-            // Gradients are not read before this either.
-            fence();
-            if !R::has(out, &tet.corners[RING], at) {
-                continue;
-            }
-            for corner in [RING, AXIS, NEXT] {
-                let f = mul_vec(&s, &rotated.of(corner, at));
-                sums.add_corner(corner, &f, out, &tet.corners, at);
-            }
+        add_stresses((tet, rotated), scale, h, sums, out);
+    }
+}
+
+/// Adds `scale` · V S G of a block's tetrahedra, with S from H.
+#[inline(never)]
+fn add_stresses<R: Lanes>(
+    (tet, rotated): (&TetBlock, &RotatedGradients),
+    scale: R,
+    h: &[Matrix<R>],
+    sums: &mut [Sums<R>],
+    out: &mut [[f32; 3]],
+) {
+    for ((h, sums), at) in h.iter().zip(sums).zip(lanes::<R>()) {
+        let s = Factored::scaled_stress(tet, at, scale, h);
+        // Gradients are not read before this either.
+        fence();
+        if !R::has(out, &tet.corners[RING], at) {
+            continue;
+        }
+        for corner in [RING, AXIS, NEXT] {
+            let f = mul_vec(&s, &rotated.of(corner, at));
+            sums.add_corner(corner, &f, out, &tet.corners, at);
         }
     }
 }
 
+/// Vectors of the four corners.
+#[inline(always)]
+fn corners<R: Lanes>(x: &[[f32; 3]], nodes: &Nodes, at: usize) -> [[R; 3]; 4] {
+    core::array::from_fn(|corner| R::gather(x, &nodes[corner], at).unwrap_or(zero3()))
+}
+
 /// What stands before is read before, as far as the compiler goes: an engine keeps to the order that it finds.
 #[inline(always)]
-fn fence() {
+pub(crate) fn fence() {
     core::hint::black_box(());
 }
 

@@ -30,6 +30,10 @@ pub fn dot(a: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
 #[inline(never)]
 #[must_use]
 pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
+    // Of one length, so that it is checked once.
+    let length = a.len().min(b.len());
+    let (a, b) = (a.get(..length), b.get(..length));
+    let (a, b) = (a.unwrap_or_default(), b.unwrap_or_default());
     let (a, a_rest) = a.as_chunks::<SUMS>();
     let (b, b_rest) = b.as_chunks::<SUMS>();
     let mut sums = [0.0; SUMS];
@@ -49,6 +53,9 @@ pub fn dot_numbers(a: &[f32], b: &[f32]) -> f32 {
 
 /// Numbers in one round of a loop: with one lane, several spare counting; with more, compilers see to it.
 const ROUND: usize = if Native::WIDTH == 1 { SUMS } else { 1 };
+
+/// The same for what a step does rarely, where a microcontroller's flash counts for more.
+const RARE_ROUND: usize = if Native::STAGES { SUMS } else { 1 };
 
 /// `change` of each number of `y` and its partner in `x`.
 #[inline(always)]
@@ -86,6 +93,38 @@ pub fn add_scaled(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]]) {
     pairs(y, x, |y, x| *y += a * x);
 }
 
+/// y += a x; returns b · y, the [`dot`] of what y is then. For one lane in an engine: one trip to memory less.
+#[inline(never)]
+pub fn add_scaled_dot(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]], b: &[[f32; 3]]) -> f32 {
+    let (y, x, b) = (y.as_flattened_mut(), x.as_flattened(), b.as_flattened());
+    // Of one length, so that it is checked once.
+    let (Some(x), Some(b)) = (x.get(..y.len()), b.get(..y.len())) else {
+        return 0.0;
+    };
+    let mut sums = [0.0; SUMS];
+    let mut at = 0;
+    for sums in core::hint::black_box(&mut sums).as_chunks_mut::<PASS>().0 {
+        let (Some(y), Some(x), Some(b)) = (y.get_mut(at..), x.get(at..), b.get(at..)) else {
+            break;
+        };
+        at += PASS;
+        let (y, y_rest) = y.as_chunks_mut::<SUMS>();
+        let (x, x_rest) = x.as_chunks::<SUMS>();
+        let (b, b_rest) = b.as_chunks::<SUMS>();
+        for ((y, x), b) in y.iter_mut().zip(x).zip(b) {
+            for (k, sum) in sums.iter_mut().enumerate() {
+                y[k % SUMS] += a * x[k % SUMS];
+                *sum += b[k % SUMS] * y[k % SUMS];
+            }
+        }
+        for (((sum, y), x), b) in sums.iter_mut().zip(y_rest).zip(x_rest).zip(b_rest) {
+            *y += a * x;
+            *sum += b * *y;
+        }
+    }
+    fold(sums)
+}
+
 /// y = x + b y
 #[inline(never)]
 pub fn scale_and_add(y: &mut [[f32; 3]], b: f32, x: &[[f32; 3]]) {
@@ -95,7 +134,13 @@ pub fn scale_and_add(y: &mut [[f32; 3]], b: f32, x: &[[f32; 3]]) {
 /// y *= a where `usable`, else y = 0, whatever it was
 #[inline(never)]
 pub(crate) fn scale_or_clear(y: &mut [[f32; 3]], a: f32, usable: Mask) {
-    for y in y.as_flattened_mut() {
+    let (rounds, left) = y.as_flattened_mut().as_chunks_mut::<RARE_ROUND>();
+    for y in rounds {
+        for y in y {
+            *y = usable.keep(*y * a);
+        }
+    }
+    for y in left {
         *y = usable.keep(*y * a);
     }
 }

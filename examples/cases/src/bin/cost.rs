@@ -9,6 +9,15 @@ use std::process::ExitCode;
 use femto_cases::cost::coupled;
 use femto_cases::cost::{Counter, Room, cube, measure, prove};
 
+#[expect(unsafe_code, reason = "what counts is outside")]
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "count")]
+unsafe extern "C" {
+    safe fn count_begin();
+    safe fn count_end();
+}
+
+#[cfg(not(target_arch = "wasm32"))]
 #[expect(unsafe_code, reason = "the plugin finds the function by its name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
@@ -16,6 +25,7 @@ fn count_begin() {
     black_box(0);
 }
 
+#[cfg(not(target_arch = "wasm32"))]
 #[expect(unsafe_code, reason = "as above")]
 #[unsafe(no_mangle)]
 #[inline(never)]
@@ -32,8 +42,8 @@ fn main() -> ExitCode {
             // The plugin writes past this program's buffer.
             _ = std::io::stdout().flush();
         },
-        begin: count_begin,
-        end: count_end,
+        begin: || count_begin(),
+        end: || count_end(),
         early_exit: cfg!(feature = "early-exit"),
     };
     let outcome = match std::env::args().nth(1).as_deref() {
