@@ -1,7 +1,7 @@
-//! Steps to be counted by the plugin under qemu-user: `cost prove` and others; see [`femto_cases::cost`].
+//! Steps to be counted by the plugin under qemu-user, or as WASM by `femto-fuel`: `cost prove` and others; see
+//! [`femto_cases::cost`].
 
 use std::fmt::Arguments;
-use std::hint::black_box;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use femto_cases::cost::coupled;
 use femto_cases::cost::{Counter, Room, cube, measure, prove};
 
-#[expect(unsafe_code, reason = "what counts is outside")]
+#[expect(unsafe_code, reason = "what runs the module counts")]
 #[cfg(target_arch = "wasm32")]
 #[link(wasm_import_module = "count")]
 unsafe extern "C" {
@@ -22,7 +22,7 @@ unsafe extern "C" {
 #[unsafe(no_mangle)]
 #[inline(never)]
 fn count_begin() {
-    black_box(0);
+    std::hint::black_box(0);
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -30,7 +30,7 @@ fn count_begin() {
 #[unsafe(no_mangle)]
 #[inline(never)]
 fn count_end() {
-    black_box(1);
+    std::hint::black_box(1);
 }
 
 fn main() -> ExitCode {
