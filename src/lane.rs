@@ -69,11 +69,6 @@ pub trait Real:
     fn below(self, bound: Self) -> Self::Mask;
     /// Where both hold.
     fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
-    /// The same decision, as one that several choices with costs of their own may hang on: see [`Mask::of`].
-    #[inline(always)]
-    fn firm(mask: Self::Mask) -> Self::Mask {
-        mask
-    }
     /// Lane by lane, `yes` where the mask holds, else `no`.
     fn pick(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// Lane by lane, `(b, a)` where the mask holds, else `(a, b)`.
@@ -118,8 +113,8 @@ pub trait Lanes: Real {
         let mut nodes = nodes.iter().skip(at).take(Self::WIDTH);
         nodes.all(|&node| (node as usize) < vectors.len())
     }
-    /// [`Self::scatter_add`] of what `value` makes for each number. One lane makes them one by one: in an engine, see
-    /// [`stages`](crate::stages), what one needs is read after what comes of the one before is written.
+    /// [`Self::scatter_add`] of what `value` makes for each number. One lane makes them one by one: in an
+    /// engine, what one needs is then read after what comes of the one before is written (see [`Self::STAGES`]).
     #[inline(always)]
     fn scatter_add_each<const N: usize>(
         value: impl FnMut(usize) -> Self,
@@ -154,17 +149,7 @@ impl Real for f32 {
     type Mask = Mask;
     #[inline(always)]
     fn below(self, bound: Self) -> Mask {
-        cfg_select! {
-            target_arch = "wasm32" => { Mask::plain(self < bound) }
-            _ => { Mask::of(self < bound) }
-        }
-    }
-    #[inline(always)]
-    fn firm(mask: Mask) -> Mask {
-        cfg_select! {
-            target_arch = "wasm32" => { mask.firm() }
-            _ => { mask }
-        }
+        Mask::of(self < bound)
     }
     #[inline(always)]
     fn both(a: Mask, b: Mask) -> Mask {

@@ -69,24 +69,11 @@ impl Mask {
     #[inline]
     #[must_use]
     pub fn of(condition: bool) -> Self {
+        let mask = u32::from(condition).wrapping_neg();
         cfg_select! {
-            target_arch = "wasm32" => { Self::plain(condition) }
-            _ => { Self(u32::from(condition).wrapping_neg()).firm() }
+            target_arch = "wasm32" => { Self(mask) }
+            _ => { Self(core::hint::black_box(mask)) }
         }
-    }
-
-    /// One that the optimiser may look behind: on WASM, which has one instruction for a choice, and where hiding takes a
-    /// trip through memory.
-    #[cfg(target_arch = "wasm32")]
-    #[inline]
-    pub(crate) fn plain(condition: bool) -> Self {
-        Self(u32::from(condition).wrapping_neg())
-    }
-
-    /// The same, hidden from here on.
-    #[inline]
-    pub(crate) fn firm(self) -> Self {
-        Self(core::hint::black_box(self.0))
     }
 
     /// Whether both conditions held.

@@ -180,7 +180,7 @@ const PLANES: [Plane; 3] = [(0, 1, 3, 1.0), (0, 2, 2, -1.0), (1, 2, 1, 1.0)];
 #[inline(always)]
 fn usable<R: Real>(q: &Quaternion<R>, fallback: &Quaternion<R>) -> Quaternion<R> {
     let off = (square(q) - R::splat(1.0)).abs();
-    let near = R::firm(off.below(R::splat(0.5)));
+    let near = off.below(R::splat(0.5));
     core::array::from_fn(|k| R::pick(near, q[k], fallback[k]))
 }
 

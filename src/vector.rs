@@ -101,26 +101,22 @@ pub fn add_scaled_dot(y: &mut [[f32; 3]], a: f32, x: &[[f32; 3]], b: &[[f32; 3]]
     let (Some(x), Some(b)) = (x.get(..y.len()), b.get(..y.len())) else {
         return 0.0;
     };
+    let (y, y_rest) = y.as_chunks_mut::<SUMS>();
+    let (x, x_rest) = x.as_chunks::<SUMS>();
+    let (b, b_rest) = b.as_chunks::<SUMS>();
     let mut sums = [0.0; SUMS];
-    let mut at = 0;
-    for sums in core::hint::black_box(&mut sums).as_chunks_mut::<PASS>().0 {
-        let (Some(y), Some(x), Some(b)) = (y.get_mut(at..), x.get(at..), b.get(at..)) else {
-            break;
-        };
-        at += PASS;
-        let (y, y_rest) = y.as_chunks_mut::<SUMS>();
-        let (x, x_rest) = x.as_chunks::<SUMS>();
-        let (b, b_rest) = b.as_chunks::<SUMS>();
+    for (pass, sums) in sums.as_chunks_mut::<PASS>().0.iter_mut().enumerate() {
         for ((y, x), b) in y.iter_mut().zip(x).zip(b) {
             for (k, sum) in sums.iter_mut().enumerate() {
-                y[k % SUMS] += a * x[k % SUMS];
-                *sum += b[k % SUMS] * y[k % SUMS];
+                let k = (pass * PASS + k) % SUMS;
+                y[k] += a * x[k];
+                *sum += b[k] * y[k];
             }
         }
-        for (((sum, y), x), b) in sums.iter_mut().zip(y_rest).zip(x_rest).zip(b_rest) {
-            *y += a * x;
-            *sum += b * *y;
-        }
+    }
+    for (((sum, y), x), b) in sums.iter_mut().zip(y_rest).zip(x_rest).zip(b_rest) {
+        *y += a * x;
+        *sum += b * *y;
     }
     fold(sums)
 }

@@ -121,9 +121,12 @@ fn the_oracle_lands_as_the_crate_does() {
 }
 
 /// Two iterations with a factor stay on the path, at three stiffnesses.
-fn stays_on_the_path(body: fn(f32) -> Setup, allowed: f64) {
+fn stays_on_the_path(body: fn(f32) -> Setup, allowed: [f64; 3]) {
     let mut missed = Vec::new();
-    for setup in [body(1e6), body(1e7), stiff(body(0.0))] {
+    for (setup, allowed) in [body(1e6), body(1e7), stiff(body(0.0))]
+        .into_iter()
+        .zip(allowed)
+    {
         let converged = exact_path(&setup);
         let warped = Preconditioner::Factored(factor(&setup, Kind::Warped, Precision::Single));
         let ours = path(&setup, &setup.solver(Start::Galerkin(2), warped, 2));
@@ -148,15 +151,17 @@ fn stays_on_the_path(body: fn(f32) -> Setup, allowed: f64) {
 
 #[test]
 fn a_spinning_bar_stays_on_the_path() {
-    stays_on_the_path(spin, 1e-3);
+    stays_on_the_path(spin, [1e-3; 3]);
 }
 
 #[test]
 fn a_cantilever_stays_on_the_path() {
-    stays_on_the_path(cantilever, 1e-3);
+    stays_on_the_path(cantilever, [1e-3; 3]);
 }
 
+/// At E = 1e9 what comes after the impact is a matter of its roundings: six drops from heights 10 μm apart are 1.1e-3 to
+/// 4.2e-3 off the path, 2.3e-3 in the mean.
 #[test]
 fn a_dropped_bar_stays_on_the_path() {
-    stays_on_the_path(drop, 2e-3);
+    stays_on_the_path(drop, [5e-4, 5e-4, 5e-3]);
 }
