@@ -63,8 +63,9 @@ fn length(blocks: &[TetBlock]) -> usize {
     1 + pairs.take_while(goes_on).count()
 }
 
-/// `==` would call a routine that compares byte by byte on a Cortex-M.
-#[inline(never)]
+/// `==` would call a routine that compares byte by byte on a Cortex-M. For WASM, size counts for more.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
 fn same(a: &[u32; BLOCK], b: &[u32; BLOCK]) -> bool {
     let both = a.iter().zip(b);
     both.fold(0, |different, (a, b)| different | (a ^ b)) == 0

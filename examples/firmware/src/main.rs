@@ -45,6 +45,7 @@ report_panics!();
 
 #[entry]
 fn main() -> ! {
+    stack::paint();
     // SAFETY: here only, and `main` runs once.
     let (state, work) = unsafe { (STATE.take(), WORK.take()) };
     let Ok(Asset { rest, pins, .. }) = Asset::new(BODY) else {
@@ -64,7 +65,6 @@ fn main() -> ! {
     timer.enable_interrupt();
 
     let (mut late, mut refused, mut longest) = (0_u32, 0_u32, 0_u32);
-    stack::paint();
     for due in 1..=STEPS {
         while TICKS.load(Ordering::Relaxed) < due {
             cortex_m::asm::wfi();
