@@ -31,7 +31,7 @@ static WORK: Once<Workspace<NODES, { blocks(TETS) }>> = Once::new(Workspace::new
 
 /// The board's core clock, Hz.
 const CLOCK: u32 = 25_000_000;
-/// Stack that `main`, a step in it, and the timer's interrupt in that may use.
+/// Stack that `main`, placing the body or a step in it, and the timer's interrupt in that may use.
 const STACK: usize = 2048;
 
 static TICKS: AtomicU32 = AtomicU32::new(0);
