@@ -282,7 +282,8 @@ fn turned<R: Real>(q: &Quaternion<R>, w: R, s: R, axis: usize) -> Quaternion<R> 
 }
 
 /// q after the three turns of a sweep, each of which lengthens it by √2 to 2, and by 2 in the end, when there is nothing left to
-/// turn: an eighth, exactly. So the length stays between 0 and 1 without a root.
+/// turn: an eighth, exactly. So the length stays between 0 and 1 without a root. (Hundreds of sweeps of an F whose
+/// s₂ + s₃ is nothing but rounding, which turns for ever, can bring its square near f32's least, and Q is then off its unit length.)
 #[inline(always)]
 fn shortened<R: Real>(q: &Quaternion<R>) -> Quaternion<R> {
     q.map(|c| c * R::splat(0.125))
