@@ -11,6 +11,7 @@
 
 use glam::Vec3;
 
+use crate::constraint::Reactions;
 use crate::element::{Factored, Layout};
 use crate::energy::{self, Energies, Momenta};
 use crate::lane::Native;
@@ -71,6 +72,11 @@ macro_rules! body_methods {
         #[must_use]
         pub fn velocities(&self) -> &[[f32; 3]] {
             self.rest_and_state().1.v
+        }
+
+        /// What pins and colliders did to each node in the last step, N·s; see [`Workspace::reactions`].
+        pub fn reactions(&self, settings: &Settings) -> Reactions<'_> {
+            self.workspace.reactions(&self.rest(), settings)
         }
 
         /// Kinetic, elastic and gravitational energy; see [`energy::energies`].

@@ -38,6 +38,7 @@
 //! 2005), but with a fixed number of products: nodes whose impulse (A v − b)·n is negative are let go, and those that v
 //! moves into a surface are taken in (without friction in that step). A let-go node keeps its γ until the next step.
 //! What would pull after the last iteration is let go, too: it is part of the residual, and goes to zero with it.
+//! What is left of contacts pushes: [`Workspace::reactions`](crate::body::Workspace::reactions).
 //!
 //! **After it**, nodes that are inside nevertheless are put back on the surface, and so are nodes that start a step
 //! inside. So no node ends a step inside: to rounding of its coordinates for one
@@ -45,6 +46,9 @@
 //! angle. Putting back strains, which truncated solves have not relaxed: in bodies of h²E/(ρ·dx²) above 10 it may add
 //! energy, and where surfaces have valleys a little in softer ones, unless the feature
 //! `energy-guard` is there and [`Settings`](crate::Settings) ask for it.
+
+use core::iter::Zip;
+use core::slice::Iter;
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -273,6 +277,37 @@ pub(crate) fn release(
     }
     some
 }
+
+/// Impulses with which pins and colliders have acted, node by node, N·s: −(I − P) r.
+#[derive(Clone, Debug)]
+pub struct Reactions<'a> {
+    nodes: Zip<Iter<'a, Sym3<f32>>, Iter<'a, [f32; 3]>>,
+    impulse_unit: f32,
+}
+
+impl<'a> Reactions<'a> {
+    pub(crate) fn new(filter: &'a [Sym3<f32>], r: &'a [[f32; 3]], impulse_unit: f32) -> Self {
+        Self {
+            nodes: filter.iter().zip(r),
+            impulse_unit,
+        }
+    }
+}
+
+impl Iterator for Reactions<'_> {
+    type Item = Vec3;
+
+    fn next(&mut self) -> Option<Vec3> {
+        let (p, r) = self.nodes.next()?;
+        Some((Vec3::from_array(project(p, r)) - Vec3::from_array(*r)) * self.impulse_unit)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.nodes.size_hint()
+    }
+}
+
+impl ExactSizeIterator for Reactions<'_> {}
 
 /// u += n if `active`
 #[inline]

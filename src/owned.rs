@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use glam::Vec3;
 
 use crate::body::{StateError, StateMut, StateRef, WorkspaceMut, body_methods};
+use crate::constraint::Reactions;
 use crate::element::{Dense, DenseBlocks, Elasticity, Factored, Layout, Sym3, elastic_blocks};
 use crate::energy::{self, Energies, Momenta};
 #[cfg(feature = "fracture")]
@@ -18,7 +19,8 @@ use crate::operator::{RotationBlock, fit_cold};
 use crate::plasticity::PlasticBlock;
 use crate::rest::{self, Header, Rest, RestMut, TetBlock, to_f32};
 use crate::settings::{Needs, Settings};
-use crate::step::{Scene, StepReport, step};
+use crate::step::{Scene, StepReport, Units, step};
+use crate::workspace::workspace_methods;
 
 /// Rest data in `Vec`s.
 #[derive(Clone, Debug)]
@@ -233,6 +235,13 @@ impl<L: Layout> OwnedWorkspace<L> {
             coarse: &mut self.coarse,
         }
         .cut(nodes, blocks, stored)
+    }
+
+    workspace_methods!();
+
+    fn filter_and_residual(&self) -> (&[Sym3<f32>], &[[f32; 3]]) {
+        let [_, r, _, _] = &self.vectors;
+        (&self.filter, r)
     }
 }
 

@@ -1,7 +1,29 @@
 //! Scratch of a step. It carries nothing from one step to the next, so any number of bodies share it.
 
+use crate::constraint::Reactions;
 use crate::element::{Factored, Layout, Sym3};
 use crate::rest::Rest;
+use crate::settings::Settings;
+use crate::step::Units;
+
+/// What every workspace says of the last step, over `filter_and_residual`.
+macro_rules! workspace_methods {
+    () => {
+        /// Impulses with which pins and colliders acted on each node in the last step, N·s, if it advanced; `settings` are those
+        /// of that step. Divided by its duration, the forces of the mean. None where nothing holds a node.
+        ///
+        /// Colliders never pull: along their normal, where only one holds a node, it is not negative to rounding (where several
+        /// do, along the sum of their normals). What sticks has its friction here; the friction of what slides, and what put
+        /// nodes back on a surface after the solve, is not in it. Bodies' own: [`Coupling::impulse`](crate::Coupling::impulse).
+        pub fn reactions(&self, rest: &Rest<'_, L>, settings: &Settings) -> Reactions<'_> {
+            let (filter, r) = self.filter_and_residual();
+            let filter = filter.get(..rest.nodes.len()).unwrap_or_default();
+            Reactions::new(filter, r, Units::new(rest, settings).impulse)
+        }
+    };
+}
+#[cfg(feature = "alloc")]
+pub(crate) use workspace_methods;
 
 /// Scratch of a step, borrowed.
 #[derive(Debug)]
@@ -70,6 +92,12 @@ fn take<'a, const N: usize>(numbers: &mut &'a mut [f32], count: usize) -> &'a mu
 }
 
 impl<L: Layout> WorkspaceMut<'_, L> {
+    workspace_methods!();
+
+    fn filter_and_residual(&self) -> (&[Sym3<f32>], &[[f32; 3]]) {
+        (self.filter, self.r)
+    }
+
     /// The parts that a body needs of larger ones; empty where there is too little.
     pub(crate) fn cut(self, nodes: usize, blocks: usize, stored: usize) -> Self {
         Self {
@@ -165,6 +193,13 @@ impl<const NODES: usize, const BLOCKS: usize, const VECTORS: usize, L: Layout, c
             coarse: &mut self.coarse,
         }
         .cut(nodes, blocks, VECTORS * nodes)
+    }
+
+    workspace_methods!();
+
+    fn filter_and_residual(&self) -> (&[Sym3<f32>], &[[f32; 3]]) {
+        let [_, _, r, _, _] = &self.vectors;
+        (&self.filter, r)
     }
 }
 

@@ -155,8 +155,9 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         normals: &mut *work.normals,
     };
     let contacts = touch(scene.colliders, &contact, &mut decisions);
+    // Rigid bodies do not touch colliders by their nodes.
+    let touched = contact.masses.len();
     if C::SOME {
-        let touched = contact.masses.len();
         let untouched = work.p.get_mut(touched..).unwrap_or_default();
         untouched.fill([0.0; 3]);
         let operator = Operator {
@@ -216,9 +217,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         filter: &mut *work.filter,
         colliders: scene.colliders,
         contact: &contact,
-        // Rigid bodies do not touch by their nodes.
         normals: if touches {
-            let touched = contact.masses.len();
             work.normals.get_mut(..touched).unwrap_or_default()
         } else {
             &mut []
@@ -339,7 +338,6 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         // As for colliders. It only takes energy: what pulls also separates.
         (system.couplings).switch(work.v, work.r, [&mut [], &mut []], false);
     }
-    let residual_after = filtered_norm(system.filter, work.r);
 
     // v⁺ in m/s, x⁺ into p, checked before anything is kept.
     if let Some(translations) = space.translations {
@@ -357,6 +355,14 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
     if let Some(node) = lost {
         return StepReport::refused(Refusal::NonFinite { node });
     }
+    // What the last corrections have made pull is no contact either: reactions push.
+    let held = if touches {
+        work.normals.get_mut(..touched).unwrap_or_default()
+    } else {
+        &mut []
+    };
+    constraint::release(true, work.r, work.filter, held);
+    let residual_after = filtered_norm(work.filter, work.r);
     let [rhs, residual_before, residual_after] =
         [rhs, residual_before, residual_after].map(|norm| norm * units.impulse);
     if !(rhs.is_finite() & residual_before.is_finite() & residual_after.is_finite()) {

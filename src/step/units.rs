@@ -25,7 +25,7 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    pub(super) fn new<L: Layout>(rest: &Rest<'_, L>, settings: &Settings) -> Self {
+    pub(crate) fn new<L: Layout>(rest: &Rest<'_, L>, settings: &Settings) -> Self {
         let (h, theta, header) = (settings.dt(), settings.theta(), rest.header);
         let velocity = header.length_unit / power_of_two_below(h);
         let damped = theta * h;

@@ -6,4 +6,5 @@ mod support;
 mod contact;
 mod friction;
 mod oracle;
+mod reactions;
 mod shapes;
