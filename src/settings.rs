@@ -251,11 +251,11 @@ impl<'a> Settings<'a> {
     /// With a guard over contact's energy, for two more products with A in scenes with
     /// colliders ([`Budget::cost`] does not have them).
     ///
-    /// Nodes that the last iterations move into a surface are put back on it, which strains the body. With the guard, the step
-    /// then ends at the least of its energy along its own displacements u, at a part 0 ≤ s ≤ 1 of them: where uᵀ(b − A u)
-    /// is not negative, which is all that (8) of the front page asks for. So no step with contact adds energy (kinetic,
-    /// elastic and potential, with the rotations at its begin): at every stiffness, start, preconditioner and number of
-    /// iterations, to rounding, and on every shape.
+    /// Nodes that the last iterations move into a surface are put back on it, which strains the body. With the guard, that is part
+    /// of the step's energy, and where its displacements u would add some, it goes a part 0 ≤ s ≤ 1 of them: as far as it
+    /// needs to, at most to the least of its energy along u, where uᵀ(b − A u) is not negative and (8) of the front page holds.
+    /// So no step with contact adds energy (kinetic, elastic and potential, with the rotations at its begin): at every
+    /// stiffness, start, preconditioner and number of iterations, to rounding, and on every shape.
     ///
     /// It acts where θ = 1 and nothing moves by itself: pins held, colliders at rest. Bodies that also touch each other gain no more
     /// than the law of their [contacts](crate::coupling) gives back.

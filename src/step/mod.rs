@@ -22,6 +22,7 @@
 //! untouched without a copy of it.
 
 mod check;
+mod guard;
 mod keep;
 mod system;
 mod units;
@@ -34,7 +35,7 @@ use crate::element::Layout;
 use crate::fan;
 use crate::inelastic;
 use crate::lane::Lanes;
-use crate::math::{Mask, ratio_or_zero, select};
+use crate::math::select;
 use crate::operator::{Fit, Operator, fit_rotations};
 use crate::preconditioner::Room;
 pub use crate::report::{Refusal, StepReport};
@@ -42,8 +43,9 @@ use crate::rest::Rest;
 pub use crate::scene::Scene;
 use crate::settings::{Settings, Start};
 use crate::space::{Space, Translate, fill_space};
-use crate::vector::{add_scaled, advance, copy, dot};
+use crate::vector::{add_scaled, copy};
 use check::check;
+use guard::keep_energy;
 use keep::commit;
 use system::{Filtered, filtered_norm, search_along};
 pub(crate) use units::Units;
@@ -318,21 +320,13 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
         );
     }
     if settings.guards_energy() && touches && units.theta == 1.0 && !scene.moves() {
-        // What the last iterations have moved in, with the energy that bringing it back takes.
-        let entered = system.enter(work.v, work.p, true);
-        space.hold(system.filter, Mask::of(!entered));
-        system.apply(work.p, work.q);
-        advance(work.v, work.r, 1.0, work.p, work.q);
-        copy(work.p, work.v);
-        if let Some(translations) = &space.translations {
-            translations.remove(work.p);
-        }
-        system.apply(work.p, work.q);
-        let along = ratio_or_zero(dot(work.p, work.r), dot(work.p, work.q), 0.0);
-        let back = select(along > -1.0, along, -1.0);
-        let acts = (constraint::held(system.normals) > 0) & (along < 0.0);
-        let back = select(acts, back, 0.0);
-        advance(work.v, work.r, back, work.p, work.q);
+        keep_energy(
+            &mut system,
+            &mut space,
+            &units,
+            state.v,
+            [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
+        );
     }
     if C::SOME {
         // As for colliders. It only takes energy: what pulls also separates.

@@ -76,10 +76,6 @@ pub fn check(checker: &Checker, raw: &SceneFile, bodies: &mut Vec<Body>) -> Resu
         let why = "must be 1 where bodies touch or are joined";
         return Err(checker.wrong("time.theta", &raw.time.theta, why));
     }
-    if raw.solver.energy_guard {
-        let why = "not where bodies touch or are joined";
-        return Err(checker.wrong("solver.energy_guard", &true, why));
-    }
     let limit = femto::detect::MAX_PIECES.min(femto::detect::MAX_RIGIDS);
     for (key, count) in [("body", raw.body.len()), ("rigid", raw.rigid.len())] {
         if count > limit {

@@ -141,7 +141,6 @@ pub struct Solver {
     pub preconditioner: String,
     pub start: String,
     pub layout: String,
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub energy_guard: bool,
 }
 
@@ -151,7 +150,7 @@ impl Default for Solver {
             preconditioner: "jacobi".into(),
             start: "galerkin-1".into(),
             layout: "factored".into(),
-            energy_guard: false,
+            energy_guard: true,
         }
     }
 }
