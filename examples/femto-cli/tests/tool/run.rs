@@ -324,6 +324,39 @@ fn ground_stops_a_fall_and_is_counted() {
     assert!(rows[59][13] >= 4.0, "{:?}", rows[59]);
 }
 
+/// A stiff cube bounces with three iterations a step: contact adds no energy, unless the guard is switched off.
+#[test]
+fn contact_adds_no_energy() {
+    let folder = Folder::new();
+    let cube = r#"
+[time]
+dt = 0.006666667
+steps = 150
+[budget]
+iterations = 3
+[[body]]
+mesh = { box = [0.5, 0.5, 0.5], cells = [3, 3, 3] }
+young = 1e8
+poisson = 0.4
+density = 1000.0
+rotate = { axis = [1, 0, 2], degrees = 30 }
+translate = [0.0, 0.5, 0.0]
+[[collider]]
+plane = { normal = [0, 1, 0], offset = 0.0 }
+friction = 0.5
+"#;
+    let most = |solver: &str| {
+        folder.run(&format!("{solver}{cube}"), &[]).succeeds();
+        let (_, rows) = table(&folder.read("out/trace.csv"));
+        let total: Vec<f64> = rows.iter().map(|r| r[2] + r[3] + r[4]).collect();
+        let rises = total.windows(2).map(|two| (two[1] - two[0]) / total[0]);
+        rises.fold(f64::MIN, f64::max)
+    };
+    assert!(most("") <= 0.0);
+    assert_eq!(folder.report()["solver"]["energy_guard"], true);
+    assert!(most("[solver]\nenergy_guard = false\n") > 1e-3);
+}
+
 #[test]
 fn a_moving_sphere_pushes_a_body() {
     let folder = Folder::new();
