@@ -19,7 +19,7 @@ const LOOK: u32 = 10;
 pub struct Case {
     /// The name of a file in `scenes/`, without its `.toml`.
     pub scene: &'static str,
-    /// CG iterations; the rest of the budget is the default.
+    /// CG iterations, with two sweeps; the preconditioner is the scene's.
     pub iterations: u32,
     /// Start `rigid-1`, which keeps angular momentum too, instead of the default, `galerkin-1`.
     pub rigid: bool,
