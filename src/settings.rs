@@ -7,6 +7,7 @@ use crate::fracture::Fracture;
 #[cfg(feature = "plasticity")]
 use crate::plasticity::Plasticity;
 pub use crate::preconditioner::Preconditioner;
+use crate::scene::Scene;
 
 /// How much work a step may do. It does exactly this much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -249,13 +250,16 @@ impl<'a> Settings<'a> {
     }
 
     /// With a guard over contact's energy, for two more products with A in scenes with
-    /// colliders ([`Budget::cost`] does not have them).
+    /// colliders.
     ///
     /// Nodes that the last iterations move into a surface are put back on it, which strains the body. With the guard, that is part
     /// of the step's energy, and where its displacements u would add some, it goes a part 0 ≤ s ≤ 1 of them: as far as it
     /// needs to, at most to the least of its energy along u, where uᵀ(b − A u) is not negative and (8) of the front page holds.
     /// So no step with contact adds energy (kinetic, elastic and potential, with the rotations at its begin): at every
     /// stiffness, start, preconditioner and number of iterations, to rounding, and on every shape.
+    ///
+    /// It takes motion where a stopped solve has no better to offer: a body that is too stiff for its iterations, and could
+    /// only go on by straining itself, stays where it is. (Without it, it goes on more often, with energy that it did not have.)
     ///
     /// It acts where θ = 1 and nothing moves by itself: pins held, colliders at rest. Bodies that also touch each other gain no more
     /// than the law of their [contacts](crate::coupling) gives back.
@@ -305,12 +309,13 @@ impl<'a> Settings<'a> {
         self.dt
     }
 
-    /// [`Self::energy_guard`], or false without the feature.
-    pub(crate) const fn guards_energy(&self) -> bool {
+    /// Whether the guard over contact's energy acts in a scene.
+    pub(crate) fn guards(&self, scene: &Scene<'_>) -> bool {
         #[cfg(feature = "energy-guard")]
-        return self.energy_guard;
+        let asked = self.energy_guard;
         #[cfg(not(feature = "energy-guard"))]
-        false
+        let asked = false;
+        asked && self.theta == 1.0 && !scene.colliders.is_empty() && !scene.moves()
     }
 
     /// θ

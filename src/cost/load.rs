@@ -147,6 +147,8 @@ pub struct Load {
     pub shapes: Shapes,
     /// Whether a pin or collider has a velocity.
     pub moving: bool,
+    /// Whether the guard over contact's energy acts (feature `energy-guard`).
+    pub guarded: bool,
     /// Whether the scene has a list of forces.
     pub forces: bool,
     /// Whether θ < 1.
@@ -188,6 +190,7 @@ impl Load {
                 others: 0,
             },
             moving: false,
+            guarded: false,
             forces: false,
             newmark: false,
             flows: false,
@@ -242,6 +245,7 @@ impl Load {
             pins: scene.pins.len(),
             colliders: scene.colliders.len(),
             moving: scene.moves(),
+            guarded: settings.guards(scene),
             forces: !scene.forces.is_empty(),
             newmark: settings.theta() < 1.0,
             ..Self::new(rest.nodes.len(), rest.header.tets as usize)

@@ -7,7 +7,7 @@ use crate::settings::{Budget, Start};
 /// The rows of a table that no preconditioner has for itself, and after them, for each of [`Kind::ALL`], its
 /// preparation without and with colliders, and its iteration; then what the crate's features add, each beside the
 /// rows before; and which of the sizes a row depends on.
-pub const ROWS: [(&str, [bool; SIZES]); 93] = [
+pub const ROWS: [(&str, [bool; SIZES]); 104] = [
     ("any sweeps", BLOCKS),
     ("a sweep", BLOCKS),
     ("a stored vector", ALL),
@@ -74,6 +74,17 @@ pub const ROWS: [(&str, [bool; SIZES]); 93] = [
     ("plastic flow", BLOCKS),
     ("fracture", BLOCKS),
     ("fracture: a place", BLOCKS),
+    ("guarded", ALL),
+    ("guarded: a vector", NODES),
+    ("guarded: translations", NODES),
+    ("guarded: a collider", NODES),
+    ("guarded: a sphere", NODES),
+    ("guarded: a capsule", NODES),
+    ("guarded: a box", NODES),
+    ("guarded: a height field", NODES),
+    ("guarded: a frame", NODES),
+    ("guarded: couplings", NODES),
+    ("guarded: islands", NODES),
     ("couplings: step", ALL),
     ("couplings: diagonal where none was", ALL),
     ("couplings: diagonal for jacobi", ALL),
@@ -163,13 +174,15 @@ pub fn terms(load: &Load, budget: Budget) -> [u64; ROWS.len()] {
     let own = [1 - touching, touching, k];
     let at = OWN.0 + OWN.1 * load.preconditioner as usize;
     let inelastic = inelastic(load);
+    let guard = guard(load);
     let couplings = couplings(load, budget);
     core::array::from_fn(|row| {
         let of = |first: usize, rows: &[u64]| Some(*rows.get(row.checked_sub(first)?)?);
         of(0, &common)
             .or_else(|| of(at, &own))
             .or_else(|| of(MORE, &inelastic))
-            .or_else(|| of(MORE + inelastic.len(), &couplings))
+            .or_else(|| of(MORE + inelastic.len(), &guard))
+            .or_else(|| of(MORE + inelastic.len() + guard.len(), &couplings))
             .unwrap_or(0)
     })
 }
@@ -210,6 +223,28 @@ fn inelastic(load: &Load) -> [u64; 8] {
     ]
 }
 
+/// The guard over contact's energy.
+fn guard(load: &Load) -> [u64; 11] {
+    let acts = u64::from(load.guarded);
+    let coupled = u64::from(load.coupled.parts() > 0);
+    let free = u64::from(load.start.is_augmented() && load.pins == 0);
+    let [spheres, capsules, boxes, fields, frames, ..] = inelastic(load);
+    [
+        1,
+        load.start.vectors() as u64,
+        free * (1 - coupled),
+        load.colliders as u64,
+        spheres,
+        capsules,
+        boxes,
+        fields,
+        frames,
+        coupled,
+        free * coupled,
+    ]
+    .map(|count| acts * count)
+}
+
 /// Bodies in one system.
 fn couplings(load: &Load, budget: Budget) -> [u64; 27] {
     let coupled = u64::from(load.coupled.parts() > 0);
@@ -225,7 +260,9 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 27] {
     let guessed = matches!(load.start, Start::Velocity | Start::VelocityForce);
     let more = u64::from(guessed || load.moving);
     let free = u64::from(load.start.is_augmented());
-    let applications = coupled * (k + w + more + searches(load) + u64::from(load.colliders > 0));
+    let guarded = 2 * u64::from(load.guarded);
+    let applications =
+        coupled * (k + w + more + guarded + searches(load) + u64::from(load.colliders > 0));
     let factored = factored(load);
     let halved = matches!(load.preconditioner, Kind::WarpedHalf | Kind::LaplacianHalf);
     let sizes = u64::from(!factored) * (1 + more);
@@ -263,9 +300,9 @@ fn couplings(load: &Load, budget: Budget) -> [u64; 27] {
         free * k,
         free * parts,
         free.saturating_mul(parts)
-            .saturating_mul(2 * w + k + settles),
+            .saturating_mul(2 * w + k + guarded + settles),
     ]
 }
 
 // Names, kinds and rows are in one order.
-const _: () = assert!(MORE + 8 + 27 == ROWS.len());
+const _: () = assert!(MORE + 8 + 11 + 27 == ROWS.len());

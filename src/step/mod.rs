@@ -319,7 +319,7 @@ fn checked_step<R: Lanes, L: Layout, C: Couple>(
             [&mut *work.v, &mut *work.r, &mut *work.p, &mut *work.q],
         );
     }
-    if settings.guards_energy() && touches && units.theta == 1.0 && !scene.moves() {
+    if settings.guards(scene) {
         keep_energy(
             &mut system,
             &mut space,

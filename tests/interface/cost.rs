@@ -211,6 +211,20 @@ fn what_features_add_costs() {
                 ..plain
             },
         ),
+        (
+            plain,
+            Load {
+                guarded: true,
+                ..plain
+            },
+        ),
+        (
+            joined,
+            Load {
+                guarded: true,
+                ..joined
+            },
+        ),
         (plain, Load { tears: 1, ..plain }),
         (Load { tears: 1, ..plain }, Load { tears: 9, ..plain }),
         (plain, joined),
@@ -337,7 +351,26 @@ fn the_load_of_a_step() {
         .unwrap()
         .with_start(Start::Rigid(2))
         .with_preconditioner(Preconditioner::Mass);
-    let load = Load::of(&body.rest(), &scene, &settings);
+    // The guard does not act where something moves or θ < 1; beside that it does.
+    let load = Load::of(&body.rest(), &scene, &settings.with_energy_guard());
+    let resting = [Collider::half_space(Vec3::Y, 0.0).unwrap()];
+    let rests = Scene {
+        colliders: &resting,
+        ..scene
+    };
+    let guarded = |theta, scene: &Scene<'_>| {
+        let settings = Settings::new(0.01).and_then(|settings| settings.with_theta(theta));
+        let settings = settings.unwrap().with_energy_guard();
+        Load::of(&body.rest(), scene, &settings).guarded
+    };
+    let empty = Scene::default();
+    let [acts, moved, newmark, free] = [
+        guarded(1.0, &rests),
+        guarded(1.0, &scene),
+        guarded(0.5, &rests),
+        guarded(1.0, &empty),
+    ];
+    assert_eq!([acts, moved, newmark, free], [true, false, false, false]);
     let expected = Load {
         start: Start::Rigid(2),
         preconditioner: Kind::Mass,

@@ -23,7 +23,12 @@ pub mod coupled;
 mod measure;
 
 use measure::CUBE;
-#[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+#[cfg(any(
+    feature = "contact",
+    feature = "plasticity",
+    feature = "fracture",
+    feature = "guard"
+))]
 pub use measure::measure_more;
 pub use measure::{cube, measure};
 
@@ -214,8 +219,14 @@ fn counted(
     let ball =
         Collider::sphere(Vec3::new(0.5, -0.5, 0.5), 0.51).and_then(|c| c.with_velocity(velocity));
     // All other shapes, in the way of the body, too; one of them in a frame that spins.
+    // The guard acts where nothing moves.
+    let spin = if cfg!(feature = "guard") {
+        Vec3::ZERO
+    } else {
+        Vec3::new(1.0, 2.0, 3.0)
+    };
     let frame = Frame::new(Vec3::new(0.2, -0.1, 0.2), Mat3::IDENTITY)
-        .and_then(|f| f.with_spin(Vec3::new(1.0, 2.0, 3.0)))
+        .and_then(|f| f.with_spin(spin))
         .map_err(|_| BadCase)?;
     let slab = Cuboid::new(Vec3::ZERO, Vec3::new(0.3, 0.2, 0.4)).map_err(|_| BadCase)?;
     let placed = Placed::new(slab, frame);
@@ -250,6 +261,8 @@ fn counted(
         .with_start(case.start.1)
         .with_preconditioner(preconditioner)
         .with_budget(case.budget);
+    #[cfg(feature = "guard")]
+    let settings = settings.with_energy_guard();
     let settings = if case.tears > 0 {
         inelastic(settings, case.tears)?
     } else {

@@ -2,7 +2,7 @@
 //!
 //! One scene of each kind, each preconditioner, each start: 16 nodes, 18 tetrahedra (27 and 48 in fans), 1,000 steps,
 //! with a hash of all positions and velocities after steps 1, 20 and 1,000. The hashes are those of `golden.txt`;
-//! after a change of the numerics, `cargo run --release -p femto-cases --bin bits -- --bless` writes them anew.
+//! after a change of the numerics, `cargo run --release -p femto-cases --features guard --bin bits -- --bless` writes them anew.
 
 use femto::body::State;
 use femto::element::{Dense, Layout};
@@ -68,6 +68,9 @@ enum World {
     Pinned,
     /// Thrown on a slope and a moving ball, with friction.
     Contact,
+    /// The same with a ball at rest and a stiff body, under the guard of its energy.
+    #[cfg(feature = "guard")]
+    Guarded,
 }
 
 /// One scene.
@@ -99,7 +102,7 @@ impl Case {
     }
 }
 
-const KINDS: [Case; 7] = [
+const KINDS: [Case; 7 + cfg!(feature = "guard") as usize] = [
     Case::new("spin", World::Free),
     Case::new("pinned", World::Pinned),
     Case::new("contact", World::Contact),
@@ -120,7 +123,13 @@ const KINDS: [Case; 7] = [
         rolls_back: true,
         ..Case::new("snapshot", World::Contact)
     },
+    #[cfg(feature = "guard")]
+    Case::new("guard", World::Guarded),
 ];
+
+/// How much stiffer the guarded body is: contact then adds energy without the guard.
+#[cfg(feature = "guard")]
+const STIFFER: f32 = 128.0;
 
 /// All scenes: each kind, each preconditioner in contact, each start of a free body.
 pub fn cases() -> impl Iterator<Item = Case> {
@@ -176,6 +185,12 @@ fn run_body<L: Layout>(
     };
     let mesh = Mesh::new(nodes, tets).map_err(|_| BadCase)?;
     let [young, poisson, density] = MATERIAL;
+    #[cfg(feature = "guard")]
+    let young = if case.world == World::Guarded {
+        STIFFER * young
+    } else {
+        young
+    };
     let material = Material::new(young, poisson, density)
         .and_then(|m| m.with_damping(DAMPING[0], DAMPING[1]))
         .map_err(|_| BadCase)?;
@@ -202,6 +217,12 @@ fn run_body<L: Layout>(
         .map_err(|_| BadCase)?
         .with_start(case.start)
         .with_preconditioner(preconditioner);
+    #[cfg(feature = "guard")]
+    let settings = if case.world == World::Guarded {
+        settings.with_energy_guard()
+    } else {
+        settings
+    };
     let pins = [
         Pin::held(0),
         Pin::held(1),
@@ -213,9 +234,14 @@ fn run_body<L: Layout>(
     let slope = Collider::half_space(Vec3::new(0.1, 1.0, 0.05), 0.0)
         .and_then(|c| c.with_friction(0.4))
         .map_err(|_| BadCase)?;
+    let rolling = if case.world == World::Contact {
+        Vec3::new(0.01, 0.0, 0.02)
+    } else {
+        Vec3::ZERO
+    };
     let ball = Collider::sphere(Vec3::new(0.5, -0.5, 0.1), 0.45)
         .and_then(|c| c.with_friction(0.2))
-        .and_then(|c| c.with_velocity(Vec3::new(0.01, 0.0, 0.02)))
+        .and_then(|c| c.with_velocity(rolling))
         .map_err(|_| BadCase)?;
     let mut colliders = [slope, ball];
     for step in 1..=steps {
@@ -227,10 +253,9 @@ fn run_body<L: Layout>(
             } else {
                 &[]
             },
-            colliders: if case.world == World::Contact {
-                &colliders
-            } else {
-                &[]
+            colliders: match case.world {
+                World::Free | World::Pinned => &[],
+                _ => &colliders,
             },
         };
         if case.rolls_back && step % 16 == 0 {

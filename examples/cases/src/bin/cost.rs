@@ -52,7 +52,12 @@ fn main() -> ExitCode {
         Some("cube") => cube(&mut room, &mut counter),
         #[cfg(feature = "contact")]
         Some("prove-coupled") => coupled::prove(&mut room, &mut counter),
-        #[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+        #[cfg(any(
+            feature = "contact",
+            feature = "plasticity",
+            feature = "fracture",
+            feature = "guard"
+        ))]
         Some("measure-more") => femto_cases::cost::measure_more(&mut room, &mut counter),
         _ => return ExitCode::from(2),
     };

@@ -269,7 +269,7 @@ pub(super) fn measure(
                 count(&Case {
                     preconditioner,
                     budget: budget(2 + ((3 * k + j) % 7) as u32, 1),
-                    colliders: usize::from((k + j) % 4 == 3),
+                    colliders: usize::from(cfg!(feature = "guard") || (k + j) % 4 == 3),
                     ..PLAIN
                 })?;
             }
@@ -278,6 +278,8 @@ pub(super) fn measure(
                     count(&Case {
                         start,
                         budget: budget(iterations, 1),
+                        // For the guard to have something to do.
+                        colliders: usize::from(cfg!(feature = "guard")),
                         ..PLAIN
                     })?;
                 }

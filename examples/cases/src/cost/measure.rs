@@ -45,7 +45,7 @@ pub(super) const CUBE: Rest = (&THREE.nodes, &fans::CUBE);
 
 /// Steps of several meshes in enough different settings to fit the cost table (`fit`) and to compare it
 /// (`check`). A line is: fit or check, nodes, tetrahedra, fans, entries of the factor, the four numbers of the coarse
-/// half, preconditioner, start, iterations, sweeps, pins, colliders, moving, forces, newmark, spheres, capsules, boxes, height
+/// half, preconditioner, start, iterations, sweeps, pins, colliders, moving, forces, newmark, guarded, spheres, capsules, boxes, height
 /// fields, shapes in frames, flow, places of fracture, pieces, rigid bodies, links, slots, count.
 ///
 /// # Errors
@@ -209,7 +209,7 @@ pub(super) fn describe(
         coarse.sums,
     ));
     say(format_args!(
-        "{} {} {} {} {} {} {} {} {} ",
+        "{} {} {} {} {} {} {} {} {} {} ",
         case.preconditioner.0,
         case.start.0,
         case.budget.iterations,
@@ -219,6 +219,7 @@ pub(super) fn describe(
         u8::from(load.moving),
         u8::from(load.forces),
         u8::from(load.newmark),
+        u8::from(load.guarded),
     ));
     say(format_args!(
         "{} {} {} {} {} {} {} {} {} {} {} ",
@@ -236,22 +237,30 @@ pub(super) fn describe(
     ));
 }
 
-/// [`measure`] for what the features add: shapes of colliders and couplings (with `contact`), flow and fracture.
+/// [`measure`] for what the features add: shapes of colliders and couplings (with `contact`), flow and fracture; with
+/// `guard` colliders under the guard of their energy.
 ///
 /// # Errors
 /// [`BadCase`].
-#[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+#[cfg(any(
+    feature = "contact",
+    feature = "plasticity",
+    feature = "fracture",
+    feature = "guard"
+))]
 pub fn measure_more(
     room: &mut Room,
     counter: &mut Counter<impl FnMut(Arguments<'_>)>,
 ) -> Result<(), BadCase> {
     let inelastic = cfg!(any(feature = "plasticity", feature = "fracture"));
+    let guarded = cfg!(feature = "guard");
     let fitted = FITTED.into_iter().map(|mesh| ("fit", mesh));
     for (purpose, mesh) in fitted.chain(OTHERS.map(|mesh| ("check", mesh))) {
         fill(room, mesh)?;
         // Of [`counted`]'s list.
         let shapes: &[(usize, usize)] = match purpose {
             _ if inelastic => &[],
+            "fit" if guarded => &[(0, 1), (0, 2), (1, 1), (2, 1), (3, 1), (4, 1), (5, 1)],
             "fit" => &[(2, 1), (3, 1), (4, 1), (5, 1)],
             _ => &[(2, 3), (0, 6)],
         };
@@ -262,6 +271,20 @@ pub fn measure_more(
                 ..PLAIN
             };
             line(room, mesh, &case, purpose, counter)?;
+        }
+        let starts = STARTS.into_iter().chain(MORE_STARTS);
+        for (j, start) in starts.filter(|_| guarded).enumerate() {
+            for pins in 0..2 {
+                let case = Case {
+                    start,
+                    pins,
+                    preconditioner: PRECONDITIONERS[(2 * j + pins) % PRECONDITIONERS.len()],
+                    budget: budget(3 + pins as u32, 1),
+                    colliders: 1 + (j + pins) % 2,
+                    ..PLAIN
+                };
+                line(room, mesh, &case, purpose, counter)?;
+            }
         }
         let tears: &[u32] = match purpose {
             _ if !inelastic => &[],

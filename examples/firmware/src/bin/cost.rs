@@ -46,7 +46,12 @@ fn main() -> ! {
         Some("cube") => cube(room, &mut counter),
         #[cfg(feature = "contact")]
         Some("prove-coupled") => coupled::prove(room, &mut counter),
-        #[cfg(any(feature = "contact", feature = "plasticity", feature = "fracture"))]
+        #[cfg(any(
+            feature = "contact",
+            feature = "plasticity",
+            feature = "fracture",
+            feature = "guard"
+        ))]
         Some("measure-more") => femto_cases::cost::measure_more(room, &mut counter),
         _ => process::exit(2),
     };
