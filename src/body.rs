@@ -74,7 +74,7 @@ macro_rules! body_methods {
             self.rest_and_state().1.v
         }
 
-        /// What pins and colliders did to each node in the last step, N·s; see [`Workspace::reactions`].
+        /// What pins and colliders did to each node in the last step, N·s; see [`Workspace::reactions`](crate::body::Workspace::reactions).
         pub fn reactions(&self, settings: &Settings) -> Reactions<'_> {
             self.workspace.reactions(&self.rest(), settings)
         }
