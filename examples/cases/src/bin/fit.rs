@@ -109,6 +109,9 @@ fn report(name: &str, counted: &[Counted], formula: impl Fn(&Counted) -> f64) ->
             *worst = worst.max(error);
             *steps += 1;
         }
+        if guarded && seen.1 + unseen.1 == 0 {
+            continue;
+        }
         eprintln!(
             "{name}{what}: at most {:.2} % off on {} fitted steps, {:.2} % on {} steps of other meshes",
             100.0 * seen.0,
