@@ -1,4 +1,5 @@
-//! Scratch of a step. It carries nothing from one step to the next, so any number of bodies share it.
+//! Scratch of a step. It carries nothing from one step to the next, so any number of bodies share it; until the next, it says
+//! what pins and colliders did.
 
 use crate::constraint::Reactions;
 use crate::element::{Factored, Layout, Sym3};
@@ -10,7 +11,7 @@ use crate::step::Units;
 macro_rules! workspace_methods {
     () => {
         /// Impulses with which pins and colliders acted on each node in the last step, N·s, if it advanced; `settings` are those
-        /// of that step. Divided by its duration, the forces of the mean. None where nothing holds a node.
+        /// of that step. Divided by its duration they are the mean forces, N. Zero where nothing holds a node.
         ///
         /// Colliders never pull: along their normal, where only one holds a node, it is not negative to rounding (where several
         /// do, along the sum of their normals). What sticks has its friction here; the friction of what slides, and what put
