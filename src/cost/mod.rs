@@ -7,7 +7,7 @@
 //! The factors are products of what the settings say ([`terms`]): 1 for the step itself, k for its iterations, k·w for
 //! iterations with w stored vectors, and so on. The coefficients of a [`Machine`] were fitted to counts of an
 //! emulator (`examples/firmware/fit`; `.ci/run cost` counts anew, and says how far the formula is off on meshes that it was
-//! not fitted to: at most 1 %, with the energy guard 2 %). They hold for the compiler and the profile that stand in the README, with lanes of the
+//! not fitted to: at most 1 %, with the energy guard 2 %, which it counts on the M4F alone). They hold for the compiler and the profile that stand in the README, with lanes of the
 //! target's width and rest data in the factored layout. Of couplings between bodies it has all but the search for
 //! contacts, whose cost depends on the state: [`Search`] bounds that.
 //!

@@ -127,7 +127,7 @@ const KINDS: [Case; 7 + cfg!(feature = "guard") as usize] = [
     Case::new("guard", World::Guarded),
 ];
 
-/// How much stiffer the guarded body is: contact then adds energy without the guard.
+/// How much stiffer the guarded body is, for the guard to act: without it, the hashes are others.
 #[cfg(feature = "guard")]
 const STIFFER: f32 = 128.0;
 
